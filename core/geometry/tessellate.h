@@ -1,0 +1,33 @@
+#pragma once
+// From a shape as it was said to faces.
+#include "core/geometry/polyhedron.h"
+#include "core/scene/shapes.h"
+
+namespace overstrike {
+
+/// The shape as faces in its own frame. Curved shapes get the fewest facets that keep every chord
+/// within `chord` (units of the own frame) of the true surface: at least 3 sides, at most 4096
+/// round a circle. Vertices lie on the true surface. Flat-faced shapes ignore `chord`. With
+/// `normals`, corner normals of the true surface are given for curved shapes (creases such as a
+/// cylinder's rim keep two normals). Precondition: validate() is empty. Deterministic to the bit.
+Polyhedron tessellate(const Shape& shape, double chord, bool normals);
+
+/// Why the shape cannot be drawn ("radius must be positive, found -1"), or empty.
+std::string validate(const Shape& shape);
+
+/// The shape's name as scenes write it ("box", "torus", ...).
+std::string_view shape_name(const Shape& shape);
+
+/// True for shapes whose facets stand for a curved surface: their facet edges are no creases.
+bool is_curved(const Shape& shape);
+
+/// Axis-aligned bounds after the placement: exact for flat-faced shapes, at most 1 % larger for
+/// curved ones.
+struct Bounds {
+  Vec3 low{1e300}, high{-1e300};
+  bool empty() const { return low.x > high.x; }
+  void add(const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+};
+Bounds bounds(const Shape& shape, const Affine& placement);
+
+}  // namespace overstrike

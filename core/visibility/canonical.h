@@ -1,0 +1,101 @@
+#pragma once
+// The canonical input of a view: what the resolver and the oracle both start from.
+//
+// Doubles for world vertices, faces with a plane identity, winged edges. A face *is* its projected
+// outline with its stored plane's depth (rounded vertices are never quite coplanar). Which faces
+// share a plane is decided here, once, and nowhere later.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/polyhedron.h"
+#include "core/scene/scene.h"
+
+namespace overstrike {
+
+constexpr Index kNone = 0xFFFFFFFFu;
+
+/// { p : dot(normal, p) = offset }; the normal is of unit length but for rounding.
+struct Plane {
+  Vec3 normal;
+  double offset;
+};
+
+struct CanonicalFace {
+  Index first_loop, end_loop;  ///< in Canonical::loop_ends
+  Index plane;                 ///< in Canonical::planes
+  Index body;
+  bool flipped;  ///< the face's outward normal is the plane's, negated
+  bool cut;      ///< a cap that clipping made
+};
+
+/// Winged edge: `left` is the face that has (from, to) in its loop, `right` the one that has (to,
+/// from); kNone at the border of an open body. `left` != kNone.
+struct WingedEdge {
+  Index from, to;
+  Index left, right;
+  bool
+      crease;  ///< a real edge of the shape; false between facets that stand for one curved surface
+};
+
+struct CanonicalBody {
+  Index first_face, end_face;
+  Index first_edge, end_edge;
+  Index first_vertex, end_vertex;
+  bool closed;  ///< every edge has two faces: back faces cannot be seen from outside
+  bool smooth;  ///< shaded by corner normals
+  double density_factor;
+  int pen;
+  Index source;  ///< index into Scene::bodies
+};
+
+struct CanonicalPattern {
+  std::vector<Vec3> points;
+  Index body;
+  int pen;
+};
+
+struct Canonical {
+  std::vector<Vec3> vertices;  ///< world
+  std::vector<Index> corners;  ///< vertex numbers, loop after loop
+  std::vector<Vec3>
+      corner_normals;            ///< world, unit; empty when no body is smooth, else one per corner
+  std::vector<Index> loop_ends;  ///< in corners
+  std::vector<CanonicalFace> faces;
+  std::vector<Plane> planes;
+  std::vector<WingedEdge> edges;
+  std::vector<CanonicalBody> bodies;
+  std::vector<CanonicalPattern> patterns;
+  std::vector<Segment> segments;
+  std::optional<Vec3> light;  ///< unit vector towards the light
+  std::optional<double> ground_z;
+  DensityLaw law;
+
+  std::span<const Index> loop(Index l) const {
+    const Index first = l == 0 ? 0 : loop_ends[l - 1];
+    return {corners.data() + first, corners.data() + loop_ends[l]};
+  }
+  /// Outward unit normal of a face.
+  Vec3 outward(const CanonicalFace& f) const {
+    return f.flipped ? -planes[f.plane].normal : planes[f.plane].normal;
+  }
+};
+
+struct View;
+
+/// Tessellates to `chord_cells` grid units in the view, places, splits what is not planar, turns
+/// what is inside out, welds planes and builds winged edges. Everything that was flawed is named in
+/// `warnings` (with the body's place).
+Canonical canonicalize(const Scene& scene, const View& view, double chord_cells,
+                       std::vector<Diagnostic>& warnings);
+
+/// Density of a flat face away from shadows (NN74 (14)(15) times the body's factor, clamped to
+/// 0..1), and whether light falls on it. `to_eye` is the side it is seen from (two-sided faces of
+/// open bodies turn their normal to it).
+struct FaceShade {
+  double density;
+  bool lit;
+};
+FaceShade shade_of(const Canonical&, const CanonicalFace&, bool seen_from_behind);
+
+}  // namespace overstrike
