@@ -1,0 +1,54 @@
+#pragma once
+// The plane of a face, and how well its vertices say where it lies.
+#include <cmath>
+#include <span>
+
+#include "core/geometry/polyhedron.h"
+
+namespace overstrike {
+
+/// A plane fitted to loops by Newell's sum of cross products. Positions are relative to nothing:
+/// the plane is { p : dot(normal, p - middle) = 0 }.
+struct PlaneFit {
+  Vec3 normal{0.0};   ///< unit; zero when the loops have no area
+  Vec3 middle{0.0};   ///< a point of the plane near the loops
+  double offset = 0;  ///< dot(normal, middle); exactly the common coordinate on an axis plane
+  double area = 0;
+  double perimeter = 0;
+  /// Bound of the normal's turn, in radians, when every vertex may be off by `error`: moving vertex
+  /// i changes Newell's vector by at most error * |p(i+1) - p(i-1)| / 2, all of them by error *
+  /// perimeter.
+  double tilt(double error) const { return area > 0 ? error * perimeter / area : 1; }
+};
+
+/// Gathers loops of one plane.
+class PlaneFitter {
+ public:
+  /// `at(i)` gives the position of the loop's i-th vertex. `sign` -1 takes the loop reversed.
+  template <class At>
+  void add(std::size_t count, At at, double sign = 1) {
+    if (count == 0) return;
+    if (points_ == 0) base_ = at(0);
+    const Vec3 first = at(0) - base_;
+    Vec3 previous = at(count - 1) - base_;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 p = at(i) - base_;
+      const Vec3 step = p - previous;
+      vector_ += glm::cross(previous - first, p - first) * sign;
+      perimeter_ += std::sqrt(glm::dot(step, step));
+      sum_ += p;
+      previous = p;
+    }
+    points_ += static_cast<double>(count);
+  }
+  PlaneFit fit() const;
+
+ private:
+  Vec3 base_{0.0}, vector_{0.0}, sum_{0.0};
+  double perimeter_ = 0, points_ = 0;
+};
+
+/// The plane of one face of a polyhedron.
+PlaneFit fit_plane(const Polyhedron& polyhedron, Index face);
+
+}  // namespace overstrike

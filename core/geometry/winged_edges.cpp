@@ -1,0 +1,81 @@
+#include "core/geometry/winged_edges.h"
+
+#include <algorithm>
+
+namespace overstrike {
+namespace {
+
+/// One side of an edge, as a face has it in a loop.
+struct HalfEdge {
+  Index high;  ///< the higher vertex; the lower one is the bucket's number
+  Index face;
+  bool up;  ///< from the lower to the higher
+};
+
+/// Half-edges by their lower vertex, in order of the loops inside a bucket.
+class Buckets {
+ public:
+  explicit Buckets(const Polyhedron& p) : starts_(p.vertices.size() + 1, 0) {
+    each(p, [&](Index a, Index b, Index) { ++starts_[std::min(a, b) + 1]; });
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+    halves_.resize(starts_.back());
+    std::vector<Index> next(starts_.begin(), starts_.end() - 1);
+    each(p, [&](Index a, Index b, Index face) {
+      halves_[next[std::min(a, b)]++] = {std::max(a, b), face, a < b};
+    });
+  }
+  std::size_t size() const { return starts_.size() - 1; }
+  std::span<HalfEdge> of(std::size_t low) {
+    return {halves_.data() + starts_[low], halves_.data() + starts_[low + 1]};
+  }
+
+ private:
+  template <class Visit>
+  static void each(const Polyhedron& p, Visit visit) {
+    for (Index face = 0; face < p.face_count(); ++face)
+      for (Index l = p.first_loop(face); l < p.face_ends[face]; ++l) {
+        const std::span<const Index> loop = p.loop(l);
+        for (std::size_t i = 0; i < loop.size(); ++i)
+          visit(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], face);
+      }
+  }
+
+  std::vector<Index> starts_;
+  std::vector<HalfEdge> halves_;
+};
+
+/// Pairs the sides of one edge: ups first, then downs, each in order.
+void pair_group(Index low, std::span<const HalfEdge> group, std::vector<EdgePair>& out) {
+  const std::size_t ups =
+      std::find_if(group.begin(), group.end(), [](const HalfEdge& h) { return !h.up; }) -
+      group.begin();
+  const std::size_t downs = group.size() - ups;
+  for (std::size_t i = 0; i < std::max(ups, downs); ++i) {
+    const Index high = group[0].high;
+    if (i < ups)
+      out.push_back({low, high, group[i].face, i < downs ? group[ups + i].face : kNoFace});
+    else
+      out.push_back({high, low, group[ups + i].face, kNoFace});
+  }
+}
+
+}  // namespace
+
+std::vector<EdgePair> pair_edges(const Polyhedron& polyhedron) {
+  Buckets buckets(polyhedron);
+  std::vector<EdgePair> pairs;
+  pairs.reserve(polyhedron.indices.size() / 2 + 1);
+  for (std::size_t low = 0; low < buckets.size(); ++low) {
+    const std::span<HalfEdge> bucket = buckets.of(low);
+    std::stable_sort(bucket.begin(), bucket.end(), [](const HalfEdge& a, const HalfEdge& b) {
+      return a.high != b.high ? a.high < b.high : a.up > b.up;
+    });
+    for (std::size_t i = 0, end; i < bucket.size(); i = end) {
+      for (end = i; end < bucket.size() && bucket[end].high == bucket[i].high;) ++end;
+      pair_group(static_cast<Index>(low), bucket.subspan(i, end - i), pairs);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace overstrike

@@ -1,0 +1,22 @@
+#pragma once
+// A shape ready to be copied into its places: repaired faces, paired edges.
+#include <string>
+
+#include "core/geometry/winged_edges.h"
+#include "core/scene/shapes.h"
+
+namespace overstrike {
+
+struct PreparedShape {
+  Polyhedron polyhedron;
+  std::vector<EdgePair> edges;
+  std::vector<bool> smooth_edge;  ///< per edge: its faces stand for one curved surface
+  bool closed = true;
+  double precision = 0;            ///< of the coordinates, as Mesh::precision
+  std::vector<std::string> flaws;  ///< what was repaired, or could not be; in words
+};
+
+/// Tessellates to `chord` (units of the shape's frame) and repairs.
+PreparedShape prepare_shape(const Shape& shape, double chord);
+
+}  // namespace overstrike
