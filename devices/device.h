@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "core/picture.h"
 #include "devices/transport/transport.h"
 
@@ -39,6 +40,8 @@ class Device {
   virtual void cells(const CellRow&) {}
   /// Everything was said: write what is left and call the transport's finish().
   virtual void end() = 0;
+  /// After end(): what could not be drawn as asked (lines cut at the border of a sheet).
+  virtual std::vector<Diagnostic> warnings() const { return {}; }
 };
 
 /// One setting a device takes, as `overstrike devices NAME` and --help list it. Values are text; a
