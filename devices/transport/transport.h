@@ -21,11 +21,18 @@ class Transport {
   virtual std::filesystem::path path_to_write() = 0;
 };
 
-/// A temporary file beside `path`, renamed over it by finish().
+/// A temporary file beside `path`, renamed over it by finish(); its mode is what the umask leaves
+/// of rw-rw-rw-. A link is followed. What exists and is no plain file (/dev/null, a FIFO) is
+/// written to as it stands. Throws WorkError with the path and the system's message.
 std::unique_ptr<Transport> open_file(const std::filesystem::path& path);
-/// Standard output.
+/// Standard output. A closed pipe is a WorkError if the program ignores SIGPIPE.
 std::unique_ptr<Transport> open_stdout();
-/// Bytes into a string, for tests and for callers in the same process.
+/// Bytes into a string, for tests and for callers in the same process. The string gets them, all at
+/// once, at finish().
 std::unique_ptr<Transport> open_memory(std::string& bytes);
+
+/// Removes the temporary files of all transports that have not finished. Async-signal-safe: for the
+/// handler of a signal that ends the program.
+void remove_unfinished_files() noexcept;
 
 }  // namespace overstrike
