@@ -74,18 +74,25 @@ const DeviceKind* find_device(std::string_view name);
 const DeviceKind* device_for_file(std::string_view output_name);
 
 /// Reads settings against a device's list: unknown names throw InputError with the nearest known
-/// one. Helpers parse values.
+/// one. Helpers parse values and throw InputError with the setting's name, what was found and what
+/// was expected. Asking for a name that the device does not list is a mistake in the device.
 class SettingReader {
  public:
   SettingReader(const DeviceKind& kind, const Settings& given);
   std::string text(std::string_view name) const;
   double number(std::string_view name, double low, double high) const;
   int integer(std::string_view name, int low, int high) const;
-  /// "COLSxROWS".
+  /// One of a list of words.
+  std::string choice(std::string_view name, std::span<const std::string_view> words) const;
+  /// "COLSxROWS", each 1..most.
   std::pair<int, int> size(std::string_view name, int most) const;
   bool given(std::string_view name) const;
+  /// For values that the helpers do not know: throws InputError "NAME must be EXPECTED, found 'X'".
+  [[noreturn]] void refuse(std::string_view name, std::string_view expected) const;
 
  private:
+  const std::string& value(std::string_view name) const;
+
   std::vector<std::pair<std::string, std::string>> values_;
   std::vector<std::string> given_;
   std::string device_;

@@ -1,6 +1,7 @@
 #include "devices/transport/temporary_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/random.h>
 #include <unistd.h>
 
@@ -84,12 +85,12 @@ TemporaryFile TemporaryFile::create(const fs::path& directory, std::string_view 
   TemporaryFile file;
   file.target_ = target;
   do {
-    std::string name = "." + std::string(stem.substr(0, kLongestStem));
-    name += "." + random_letters() + std::string(extension);
-    file.path_ = directory / name;
+    file.path_ = directory /
+                 fmt::format(".{}.{}{}", stem.substr(0, kLongestStem), random_letters(), extension);
     file.descriptor_ = ::open(file.path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (file.descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
-  if (file.descriptor_ < 0) throw_system_error("cannot write '" + target.string() + "'", errno);
+  if (file.descriptor_ < 0)
+    throw_system_error(fmt::format("cannot write '{}'", target.string()), errno);
   file.slot_ = enter(file.path_);
   return file;
 }
@@ -123,13 +124,13 @@ void TemporaryFile::close() {
   // Linux has closed the descriptor even when close() says EINTR.
   const int result = descriptor_ < 0 ? 0 : ::close(std::exchange(descriptor_, -1));
   if (result != 0 && errno != EINTR)
-    throw_system_error("cannot write '" + target_.string() + "'", errno);
+    throw_system_error(fmt::format("cannot write '{}'", target_.string()), errno);
 }
 
 void TemporaryFile::rename_to(const fs::path& target) {
   close();
   if (::rename(path_.c_str(), target.c_str()) != 0)
-    throw_system_error("cannot write '" + target.string() + "'", errno);
+    throw_system_error(fmt::format("cannot write '{}'", target.string()), errno);
   path_.clear();
   leave(std::exchange(slot_, -1));
 }
