@@ -1,0 +1,31 @@
+#pragma once
+// A polyhedron cut by a plane, closed again by a cap.
+#include <vector>
+
+#include "core/geometry/polyhedron.h"
+
+namespace overstrike {
+
+constexpr Index kCap = 0xFFFFFFFFu;
+
+struct CutPolyhedron {
+  Polyhedron polyhedron;
+  std::vector<Index> face_source;  ///< per face: the face it is a part of, or kCap
+  /// Per vertex: the ends of the edge it was cut from, low < high; both the old vertex when it was
+  /// one.
+  struct Origin {
+    Index low, high;
+  };
+  std::vector<Origin> origin;
+};
+
+/// What stands where `height` >= 0. `height` gives every vertex's signed distance from the plane
+/// (normal = its gradient, unit). Faces may be non-convex with holes; the loops that come out
+/// enclose the right points by the even-odd rule. A cut edge gets one new vertex, computed from its
+/// lower to its higher end, for both its faces. With `cap`, the cut is closed by one face whose
+/// outward side is -normal; it holds all loops of the cut, in order of their lowest vertex. Faces
+/// in the plane that have the solid on the removed side are gone.
+CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& height,
+                             const Vec3& normal, bool cap);
+
+}  // namespace overstrike

@@ -1,0 +1,135 @@
+#include "core/geometry/cut_polyhedron.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/geometry/direction.h"
+#include "core/geometry/winged_edges.h"
+
+namespace overstrike {
+namespace {
+
+double signed_volume(const Polyhedron& p) {
+  double six = 0;
+  for (Index l = 0; l < p.loop_ends.size(); ++l) {
+    const std::span<const Index> loop = p.loop(l);
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+      six +=
+          glm::dot(p.vertices[loop[0]], glm::cross(p.vertices[loop[i]], p.vertices[loop[i + 1]]));
+  }
+  return six / 6;
+}
+
+std::size_t borders(const Polyhedron& p) {
+  std::size_t count = 0;
+  for (const EdgePair& e : pair_edges(p)) count += e.right == kNoFace;
+  return count;
+}
+
+/// Right prism over a counter-clockwise polygon, with holes clockwise.
+Polyhedron prism(const std::vector<std::vector<Vec2>>& loops, double height) {
+  Polyhedron p;
+  std::vector<std::vector<Index>> low, high;
+  for (const auto& loop : loops) {
+    low.emplace_back(), high.emplace_back();
+    for (const Vec2& q : loop) {
+      low.back().push_back(p.add_vertex(Vec3(q, 0)));
+      high.back().push_back(p.add_vertex(Vec3(q, height)));
+    }
+  }
+  for (const auto& loop : high) p.add_loop(loop);
+  p.end_face();
+  for (const auto& loop : low) p.add_loop(std::vector<Index>(loop.rbegin(), loop.rend()));
+  p.end_face();
+  for (std::size_t k = 0; k < low.size(); ++k)
+    for (std::size_t i = 0, n = low[k].size(); i < n; ++i)
+      p.add_face({low[k][i], low[k][(i + 1) % n], high[k][(i + 1) % n], high[k][i]});
+  return p;
+}
+
+/// A comb of four teeth with a hole in its back.
+Polyhedron comb() {
+  std::vector<Vec2> outline{{0, 0}, {8, 0}, {8, 5}};
+  for (int tooth = 3; tooth >= 0; --tooth) {
+    outline.push_back({2.0 * tooth + 1, 5});
+    outline.push_back({2.0 * tooth + 1, 2});
+    if (tooth > 0) outline.push_back({2.0 * tooth, 2}), outline.push_back({2.0 * tooth, 5});
+  }
+  outline.push_back({0, 2});
+  return prism({outline, {{1, 0.5}, {1, 1.5}, {7, 1.5}, {7, 0.5}}}, 3);
+}
+
+Polyhedron cube() { return prism({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, 1); }
+
+CutPolyhedron cut(const Polyhedron& p, const Vec3& normal, double offset) {
+  std::vector<double> height;
+  for (const Vec3& v : p.vertices) height.push_back(glm::dot(normal, v) - offset);
+  return cut_polyhedron(p, height, normal, true);
+}
+
+TEST(CutPolyhedron, HalvesOfRandomCutsAddUpAndAreClosed) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (const Polyhedron& p : {cube(), comb()}) {
+    ASSERT_EQ(borders(p), 0u);
+    const double whole = signed_volume(p);
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 normal = unit(Vec3(u(random), u(random), u(random)));
+      const Vec3 through = p.vertices[i % p.vertices.size()] * 0.5 + Vec3(0.1, 0.2, 0.3);
+      const double offset = glm::dot(normal, through);
+      const CutPolyhedron a = cut(p, normal, offset), b = cut(p, -normal, -offset);
+      EXPECT_EQ(borders(a.polyhedron), 0u) << i;
+      EXPECT_EQ(borders(b.polyhedron), 0u) << i;
+      EXPECT_NEAR(signed_volume(a.polyhedron) + signed_volume(b.polyhedron), whole, 1e-12 * whole);
+      EXPECT_GT(signed_volume(a.polyhedron), 0);
+      EXPECT_EQ(std::count(a.face_source.begin(), a.face_source.end(), kCap), 1);
+    }
+  }
+}
+
+TEST(CutPolyhedron, PlanesThroughVerticesAndFacesLeaveClosedHalves) {
+  const Polyhedron p = comb();
+  const double whole = signed_volume(p);
+  for (const Vec3 normal : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+    for (double offset = 0.5; offset < 8; offset += 0.5) {
+      const CutPolyhedron a = cut(p, normal, offset), b = cut(p, -normal, -offset);
+      EXPECT_EQ(borders(a.polyhedron), 0u) << offset;
+      EXPECT_EQ(borders(b.polyhedron), 0u) << offset;
+      EXPECT_NEAR(signed_volume(a.polyhedron) + signed_volume(b.polyhedron), whole, 1e-12 * whole);
+    }
+}
+
+TEST(CutPolyhedron, CubeInHalf) {
+  const CutPolyhedron half = cut(cube(), {1, 0, 0}, 0.25);
+  EXPECT_EQ(half.polyhedron.face_count(), 6u);
+  EXPECT_EQ(half.polyhedron.vertices.size(), 8u);
+  EXPECT_DOUBLE_EQ(signed_volume(half.polyhedron), 0.75);
+}
+
+TEST(CutPolyhedron, OpenFacesGetNoCap) {
+  Polyhedron square;
+  for (const Vec2 q : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+    square.add_vertex(Vec3(q, 0));
+  square.add_face({0, 1, 2, 3});
+  const CutPolyhedron part = cut_polyhedron(square, {0.5, -0.5, -0.5, 0.5}, {-1, 0, 0}, false);
+  ASSERT_EQ(part.polyhedron.face_count(), 1u);
+  EXPECT_EQ(part.polyhedron.loop(0).size(), 4u);
+  EXPECT_EQ(part.face_source[0], 0u);
+}
+
+TEST(CutPolyhedron, NormalsAreInterpolated) {
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  triangle.corner_normals = {{0, 0, 1}, {1, 0, 0}, {0, 0, 1}};
+  const CutPolyhedron part = cut_polyhedron(triangle, {1, -1, 1}, {-1, 0, 0}, false);
+  const Vec3 middle = unit(Vec3(1, 0, 1));
+  int found = 0;
+  for (const Vec3& n : part.polyhedron.corner_normals) found += max_norm(n - middle) < 1e-15;
+  EXPECT_EQ(found, 2);
+}
+
+}  // namespace
+}  // namespace overstrike

@@ -1,0 +1,216 @@
+#include "core/visibility/clip.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "core/geometry/cut_polyhedron.h"
+#include "core/geometry/winged_edges.h"
+
+namespace overstrike {
+namespace {
+
+double height(const Plane& plane, const Vec3& p) {
+  return glm::dot(plane.normal, p) - plane.offset;
+}
+
+std::uint64_t edge_key(Index a, Index b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+/// The old edge that the edge between two vertices of a cut polyhedron is, or is a part of; an edge
+/// of no cap has an old vertex at one end at least.
+std::uint64_t source_edge(const CutPolyhedron::Origin& a, const CutPolyhedron::Origin& b) {
+  if (a.low != a.high) return edge_key(a.low, a.high);
+  return b.low != b.high ? edge_key(b.low, b.high) : edge_key(a.low, b.low);
+}
+
+/// One body's faces as a polyhedron of its own.
+Polyhedron polyhedron_of(const Canonical& c, const CanonicalBody& body) {
+  Polyhedron p;
+  p.vertices.assign(c.vertices.begin() + body.first_vertex, c.vertices.begin() + body.end_vertex);
+  for (Index f = body.first_face; f < body.end_face; ++f) {
+    for (Index l = c.faces[f].first_loop; l < c.faces[f].end_loop; ++l) {
+      for (const Index v : c.loop(l)) p.indices.push_back(v - body.first_vertex);
+      p.loop_ends.push_back(static_cast<Index>(p.indices.size()));
+    }
+    p.end_face();
+  }
+  if (c.corner_normals.empty() || body.first_face == body.end_face) return p;
+  const Index first_loop = c.faces[body.first_face].first_loop;
+  const auto first = c.corner_normals.begin() + (first_loop == 0 ? 0 : c.loop_ends[first_loop - 1]);
+  p.corner_normals.assign(first, first + static_cast<std::ptrdiff_t>(p.indices.size()));
+  return p;
+}
+
+/// The pieces of a polyline on the positive side.
+std::vector<std::vector<Vec3>> cut_polyline(const std::vector<Vec3>& points, const Plane& keep) {
+  std::vector<std::vector<Vec3>> pieces;
+  std::vector<Vec3> piece;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double h = height(keep, points[i]);
+    const double before = i == 0 ? h : height(keep, points[i - 1]);
+    if ((h >= 0) != (before >= 0))
+      piece.push_back(points[i - 1] + (points[i] - points[i - 1]) * (before / (before - h)));
+    if (h >= 0) piece.push_back(points[i]);
+    if (h < 0 && !piece.empty()) pieces.push_back(std::move(piece)), piece.clear();
+  }
+  if (!piece.empty()) pieces.push_back(std::move(piece));
+  return pieces;
+}
+
+class Clipper {
+ public:
+  Clipper(const Canonical& in, const Plane& keep) : in_(in), keep_(keep) {}
+
+  Canonical clip() {
+    out_.planes = in_.planes;
+    out_.light = in_.light;
+    out_.ground_z = in_.ground_z;
+    out_.law = in_.law;
+    std::vector<Index> number(in_.bodies.size(), kNone);
+    for (Index i = 0; i < in_.bodies.size(); ++i) {
+      const std::size_t before = out_.bodies.size();
+      add_body(in_.bodies[i]);
+      if (out_.bodies.size() > before) number[i] = static_cast<Index>(before);
+    }
+    add_lines(number);
+    return std::move(out_);
+  }
+
+ private:
+  void add_body(const CanonicalBody& body) {
+    double lowest = 0, highest = 0;
+    for (Index v = body.first_vertex; v < body.end_vertex; ++v) {
+      const double h = height(keep_, in_.vertices[v]);
+      lowest = std::min(lowest, h);
+      highest = std::max(highest, h);
+    }
+    if (lowest >= 0) return copy(body);
+    if (highest > 0) cut(body);
+  }
+
+  CanonicalBody begin(const CanonicalBody& body) const {
+    CanonicalBody result = body;
+    result.first_face = static_cast<Index>(out_.faces.size());
+    result.first_edge = static_cast<Index>(out_.edges.size());
+    result.first_vertex = static_cast<Index>(out_.vertices.size());
+    return result;
+  }
+  void end(CanonicalBody& body) {
+    body.end_face = static_cast<Index>(out_.faces.size());
+    body.end_edge = static_cast<Index>(out_.edges.size());
+    body.end_vertex = static_cast<Index>(out_.vertices.size());
+    out_.bodies.push_back(body);
+  }
+
+  /// Appends the loops of face f of p and the face itself, a copy of `like`.
+  void add_face(const Polyhedron& p, Index f, CanonicalFace like, Index first_vertex) {
+    like.body = static_cast<Index>(out_.bodies.size());
+    like.first_loop = static_cast<Index>(out_.loop_ends.size());
+    for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
+      for (const Index v : p.loop(l)) out_.corners.push_back(first_vertex + v);
+      if (!p.corner_normals.empty())
+        out_.corner_normals.insert(out_.corner_normals.end(),
+                                   p.corner_normals.begin() + p.first_index(l),
+                                   p.corner_normals.begin() + p.loop_ends[l]);
+      out_.loop_ends.push_back(static_cast<Index>(out_.corners.size()));
+    }
+    like.end_loop = static_cast<Index>(out_.loop_ends.size());
+    out_.faces.push_back(like);
+  }
+
+  void copy(const CanonicalBody& body) {
+    CanonicalBody result = begin(body);
+    const Polyhedron p = polyhedron_of(in_, body);
+    out_.vertices.insert(out_.vertices.end(), p.vertices.begin(), p.vertices.end());
+    for (Index f = 0; f < p.face_count(); ++f)
+      add_face(p, f, in_.faces[body.first_face + f], result.first_vertex);
+    const Index faces = result.first_face - body.first_face;
+    const Index vertices = result.first_vertex - body.first_vertex;
+    for (Index e = body.first_edge; e < body.end_edge; ++e) {
+      WingedEdge edge = in_.edges[e];
+      edge.from += vertices, edge.to += vertices, edge.left += faces;
+      if (edge.right != kNone) edge.right += faces;
+      out_.edges.push_back(edge);
+    }
+    end(result);
+  }
+
+  void cut(const CanonicalBody& body) {
+    const Polyhedron whole = polyhedron_of(in_, body);
+    std::vector<double> heights;
+    for (const Vec3& p : whole.vertices) heights.push_back(height(keep_, p));
+    const CutPolyhedron cut = cut_polyhedron(whole, heights, keep_.normal, body.closed);
+    if (cut.polyhedron.face_count() == 0) return;
+    CanonicalBody result = begin(body);
+    out_.vertices.insert(out_.vertices.end(), cut.polyhedron.vertices.begin(),
+                         cut.polyhedron.vertices.end());
+    for (Index f = 0; f < cut.polyhedron.face_count(); ++f)
+      add_face(cut.polyhedron, f, face_like(body, cut.face_source[f]), result.first_vertex);
+    add_edges(body, cut, result);
+    end(result);
+  }
+
+  CanonicalFace face_like(const CanonicalBody& body, Index source) {
+    if (source != kCap) return in_.faces[body.first_face + source];
+    if (cap_plane_ == kNone) {
+      cap_plane_ = static_cast<Index>(out_.planes.size());
+      out_.planes.push_back(keep_);
+    }
+    return {0, 0, cap_plane_, 0, true, true};
+  }
+
+  void add_edges(const CanonicalBody& body, const CutPolyhedron& cut, CanonicalBody& result) {
+    std::unordered_set<std::uint64_t> smooth;
+    for (Index e = body.first_edge; e < body.end_edge; ++e)
+      if (!in_.edges[e].crease)
+        smooth.insert(
+            edge_key(in_.edges[e].from - body.first_vertex, in_.edges[e].to - body.first_vertex));
+    const auto is_cap = [&](Index face) { return cut.face_source[face] == kCap; };
+    for (const EdgePair& e : pair_edges(cut.polyhedron)) {
+      const bool border = e.right == kNoFace;
+      if (border) result.closed = false;
+      const bool crease = border || is_cap(e.left) || is_cap(e.right) ||
+                          smooth.count(source_edge(cut.origin[e.from], cut.origin[e.to])) == 0;
+      out_.edges.push_back({result.first_vertex + e.from, result.first_vertex + e.to,
+                            result.first_face + e.left,
+                            border ? kNone : result.first_face + e.right, crease});
+    }
+  }
+
+  void add_lines(const std::vector<Index>& number) {
+    for (const CanonicalPattern& pattern : in_.patterns) {
+      if (number[pattern.body] == kNone) continue;
+      for (std::vector<Vec3>& piece : cut_polyline(pattern.points, keep_))
+        out_.patterns.push_back({std::move(piece), number[pattern.body], pattern.pen});
+    }
+    for (const Segment& segment : in_.segments)
+      for (const std::vector<Vec3>& piece : cut_polyline({segment.from, segment.to}, keep_))
+        if (piece.size() == 2) out_.segments.push_back({piece[0], piece[1], segment.pen});
+  }
+
+  const Canonical& in_;
+  const Plane keep_;
+  Index cap_plane_ = kNone;
+  Canonical out_;
+};
+
+}  // namespace
+
+bool needs_clip(const Canonical& canonical, const Plane& keep) {
+  const auto beyond = [&](const Vec3& p) { return height(keep, p) < 0; };
+  const auto any = [&](const std::vector<Vec3>& points) {
+    return std::any_of(points.begin(), points.end(), beyond);
+  };
+  if (any(canonical.vertices)) return true;
+  for (const CanonicalPattern& pattern : canonical.patterns)
+    if (any(pattern.points)) return true;
+  return std::any_of(canonical.segments.begin(), canonical.segments.end(),
+                     [&](const Segment& s) { return beyond(s.from) || beyond(s.to); });
+}
+
+Canonical clip(const Canonical& canonical, const Plane& keep) {
+  return Clipper(canonical, keep).clip();
+}
+
+}  // namespace overstrike
