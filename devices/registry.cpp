@@ -4,12 +4,14 @@
 
 #include "devices/device.h"
 #include "devices/null/null.h"
+#include "devices/plotter/plotter.h"
 
 namespace overstrike {
 
 const std::vector<DeviceKind>& device_kinds() {
   static const std::vector<DeviceKind> kinds = {
       null_device(),
+      plotter_kind(),
   };
   return kinds;
 }

@@ -1,5 +1,5 @@
 # Hewlett-Packard 7475A, six pens, A/A4 and B/A3 paper.
-# Lengths in millimetres unless a line says plotter units.
+# Lengths in millimetres unless a line says plotter units. A # with a blank after it begins a comment.
 name: HP 7475A
 unit: 0.02488          # one plotter unit
 buffer: 1024           # bytes of input

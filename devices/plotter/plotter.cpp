@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
@@ -146,15 +148,12 @@ std::vector<Diagnostic> Plotter::warnings() const {
   return {cut};
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& expected) {
-  throw InputError(Place{}, "plotter: " + what, "expected " + expected);
-}
-
 /// The part of the sheet that the margin leaves and the pen can reach.
 void place_on_paper(const SettingReader& settings, const PlotterProfile& profile,
                     PlotterOptions& options) {
-  const PlotterPaper* paper = profile.paper(settings.text("paper"));
-  if (!paper) refuse("paper is '" + settings.text("paper") + "'", profile.paper_names());
+  std::vector<std::string_view> papers;
+  for (const PlotterPaper& one : profile.papers) papers.push_back(one.name);
+  const PlotterPaper* paper = profile.paper(settings.choice("paper", papers));
   const double unit = profile.unit_mm;
   const double most = std::min(paper->width_mm, paper->height_mm) / 2;
   const double margin = settings.number("margin", 0, most);
@@ -166,7 +165,7 @@ void place_on_paper(const SettingReader& settings, const PlotterProfile& profile
                   static_cast<int>(std::floor(std::min<double>(
                       paper->clip_y, units(paper->height_mm - margin - paper->origin_y_mm))))};
   if (options.high.x <= options.low.x || options.high.y <= options.low.y) {
-    refuse(fmt::format("margin {} mm leaves nothing of the paper", margin), "a smaller margin");
+    throw InputError(Place{}, fmt::format("margin {} mm leaves nothing of the paper", margin));
   }
 }
 
@@ -181,9 +180,8 @@ PlotterOptions read_options(const SettingReader& settings, const PlotterProfile&
   options.hatching.pen_width = settings.number("pen-width", 0.1, 5) / profile.unit_mm;
   // On paper angles turn against the clock; in the grid, whose y points down, with it.
   options.hatching.angle_deg = -settings.number("hatch-angle", -180, 180);
-  const std::string tone = settings.text("tone");
-  if (tone != "hatch" && tone != "none") refuse("tone is '" + tone + "'", "hatch or none");
-  options.hatched = tone == "hatch";
+  constexpr std::array<std::string_view, 2> kTones{"hatch", "none"};
+  options.hatched = settings.choice("tone", kTones) == "hatch";
   if (!settings.text("speed").empty()) {
     options.speed_cm_s = settings.number("speed", profile.slowest_cm_s, profile.fastest_cm_s);
   }
@@ -194,7 +192,8 @@ std::unique_ptr<Device> make_plotter(const Settings& given, std::string_view,
                                      std::unique_ptr<Transport> transport) {
   for (const auto& [name, value] : given) {
     if (name == "size") {
-      refuse("size is '" + value + "', but a sheet has no cells", "paper and margin instead");
+      throw InputError(Place{}, fmt::format("a plot has no size in cells, found size '{}'", value),
+                       "paper and margin say how large it is");
     }
   }
   const DeviceKind kind = plotter_kind();
