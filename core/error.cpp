@@ -29,7 +29,8 @@ std::string to_string(const Diagnostic& d) {
   if (!d.hint.empty()) text += " (" + d.hint + ")";
   if (!d.excerpt.empty()) {
     text += "\n    " + d.excerpt;
-    if (d.place.column > 0) text += "\n    " + std::string(d.place.column - 1, ' ') + '^';
+    const int caret = d.caret > 0 ? d.caret : d.place.column;
+    if (caret > 0) text += "\n    " + std::string(static_cast<std::size_t>(caret - 1), ' ') + '^';
   }
   return text;
 }

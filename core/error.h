@@ -16,13 +16,16 @@ struct Place {
 enum class Severity { warning, error };
 
 /// One thing to tell the user. `hint` holds what helps ("did you mean 'radius'?") or is empty;
-/// `excerpt` holds the offending source line, for the caret, or is empty.
+/// `excerpt` holds the offending source line, for the caret, or is empty; of a long line it holds
+/// the part round the place, and `caret` says under which of its characters (from 1; 0: under
+/// place.column) the caret stands.
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
   std::string message;
   std::string hint;
   std::string excerpt;
+  int caret = 0;
 };
 
 /// `scene.yaml:12:7: error: message (hint)`, then the excerpt and a caret under the column.
