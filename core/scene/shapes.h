@@ -40,9 +40,15 @@ struct Tetrahedron {
   Vec3 vertices[4];
 };
 
-/// Semi-axes; a sphere has three equal ones.
+/// Semi-axes; a sphere has three equal ones. By parallels and meridians, with a vertex at each
+/// pole: `sides` facets round the axis in each of `rings` bands from pole to pole. Both 0 is round,
+/// as the tolerance asks. With either given it is a polyhedron of sides * (rings - 1) + 2 vertices
+/// and sides
+/// * rings faces; the missing one follows, sides = 2 rings. A meridian lies at +x.
 struct Ellipsoid {
   Vec3 radii{1.0};
+  int sides = 0;
+  int rings = 0;
 };
 
 /// Around z: circle of `minor` swept along a circle of `major`; major >= minor > 0.

@@ -1,0 +1,28 @@
+#pragma once
+// What tessellate() chooses among; preconditions and laws are its own.
+#include "core/geometry/polyhedron.h"
+#include "core/scene/shapes.h"
+
+namespace overstrike {
+
+/// What an ellipsoid's exact counts come to; both 0 where the tolerance decides.
+struct FacetCounts {
+  int sides, rings;
+};
+FacetCounts facet_counts(const Ellipsoid&);
+
+/// Clears the plane numbers where no two faces share one.
+void drop_lone_planes(Polyhedron&);
+
+Polyhedron faces_of(const Box&);
+Polyhedron faces_of(const Wedge&);
+Polyhedron faces_of(const Tetrahedron&);
+Polyhedron faces_of(const FlatPolygon&);
+Polyhedron faces_of(const Frustum&, double chord, bool normals);
+Polyhedron faces_of(const Ellipsoid&, double chord, bool normals);
+Polyhedron faces_of(const Torus&, double chord, bool normals);
+Polyhedron faces_of(const Revolution&, double chord, bool normals);
+Polyhedron faces_of(const Extrusion&);
+Polyhedron faces_of(const Sweep&);
+
+}  // namespace overstrike

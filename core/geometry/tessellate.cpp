@@ -1,0 +1,77 @@
+#include "core/geometry/tessellate.h"
+
+#include <algorithm>
+
+#include "core/geometry/shape_faces.h"
+
+namespace overstrike {
+namespace {
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace
+
+void drop_lone_planes(Polyhedron& p) {
+  std::vector<Index> numbers = p.plane_groups;
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  if (numbers.size() == p.plane_groups.size()) {
+    p.plane_groups.clear();
+    return;
+  }
+  for (Index& plane : p.plane_groups)
+    plane = static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), plane) -
+                               numbers.begin());
+}
+
+Polyhedron tessellate(const Shape& shape, double chord, bool normals) {
+  const bool with_normals = normals && is_curved(shape);
+  const auto round = [&](const auto& s) { return faces_of(s, chord, with_normals); };
+  return std::visit(Overloaded{[&](const Frustum& s) { return round(s); },
+                               [&](const Ellipsoid& s) { return round(s); },
+                               [&](const Torus& s) { return round(s); },
+                               [&](const Revolution& s) { return round(s); },
+                               [&](const Mesh& s) {
+                                 Polyhedron p = s.polyhedron;
+                                 if (!normals) p.corner_normals.clear();
+                                 return p;
+                               },
+                               [](const auto& s) { return faces_of(s); }},
+                    shape);
+}
+
+bool is_curved(const Shape& shape) {
+  return std::visit(Overloaded{[](const Frustum& s) { return s.sides == 0; },
+                               [](const Ellipsoid& s) { return s.sides == 0 && s.rings == 0; },
+                               [](const Torus&) { return true; },
+                               [](const Revolution& s) { return s.sides == 0; },
+                               [](const auto&) { return false; }},
+                    shape);
+}
+
+std::string_view shape_name(const Shape& shape) {
+  return std::visit(
+      Overloaded{
+          [](const Box&) { return "box"; },
+          [](const Frustum& s) {
+            const bool apex = s.bottom_radius == 0 || s.top_radius == 0;
+            if (s.bottom_radius == s.top_radius) return s.sides == 0 ? "cylinder" : "prism";
+            if (apex) return s.sides == 0 ? "cone" : "pyramid";
+            return "frustum";
+          },
+          [](const Wedge&) { return "wedge"; }, [](const Tetrahedron&) { return "tetrahedron"; },
+          [](const Ellipsoid& s) {
+            const Vec3& r = s.radii;
+            return r.x == r.y && r.y == r.z ? "sphere" : "ellipsoid";
+          },
+          [](const Torus&) { return "torus"; }, [](const Extrusion&) { return "extrusion"; },
+          [](const Revolution&) { return "revolution"; }, [](const Sweep&) { return "sweep"; },
+          [](const Mesh& s) { return s.source.empty() ? "polyhedron" : "mesh"; },
+          [](const FlatPolygon&) { return "polygon"; }},
+      shape);
+}
+
+}  // namespace overstrike
