@@ -1,0 +1,141 @@
+#include "core/visibility/depth.h"
+
+#include <cmath>
+#include <limits>
+
+namespace overstrike {
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();  // 2 u, u the unit roundoff
+
+/// A sum of four products of doubles rounds by at most 4 u sum |terms| (three additions, one
+/// product each), 4 u = 2 kEps; doubled for the rounding of the bound itself and of a factor that
+/// was itself rounded once.
+constexpr double kDotError = 4 * kEps;
+
+Expansion minor3(const Mat4& m, int row, int column) {
+  int r[3], c[3];
+  for (int i = 0, k = 0; i < 4; ++i)
+    if (i != row) r[k++] = i;
+  for (int i = 0, k = 0; i < 4; ++i)
+    if (i != column) c[k++] = i;
+  const auto at = [&](int i, int j) { return Expansion(m[c[j]][r[i]]); };
+  return at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+         at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+         at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+}
+
+int sign_of(double value) { return (value > 0) - (value < 0); }
+
+/// Sign of p . q over four components, exact.
+int sign_of_dot(const Vec4& p, const Vec4& q) {
+  double sum = 0, size = 0;
+  for (int i = 0; i < 4; ++i) sum += p[i] * q[i], size += std::fabs(p[i] * q[i]);
+  if (std::fabs(sum) > kDotError * size) return sign_of(sum);
+  Expansion exact;
+  for (int i = 0; i < 4; ++i) exact = exact + Expansion(p[i]) * Expansion(q[i]);
+  return exact.sign();
+}
+
+Vec4 homogeneous(const Plane& plane) { return Vec4(plane.normal, -plane.offset); }
+
+}  // namespace
+
+int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
+  const int side = sign_of_dot(homogeneous(plane), eye);
+  return flipped ? -side : side;
+}
+
+int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction) {
+  return side_of_eye(plane, flipped, Vec4(direction, 0.0));
+}
+
+int side_of_point(const Plane& plane, const Vec3& p) {
+  return sign_of_dot(homogeneous(plane), Vec4(p, 1.0));
+}
+
+DepthField::DepthField(const std::vector<Plane>& planes, const View& view) : planes_(planes) {
+  std::array<std::array<double, 4>, 4> rounded;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      Expansion cofactor = minor3(view.matrix, j, i);
+      if ((i + j) % 2 == 1) cofactor = -cofactor;
+      rounded[i][j] = cofactor.approximate();
+      adjugate_[i][j] = std::move(cofactor);
+    }
+  depths_.resize(planes.size());
+  seen_edge_on_.resize(planes.size(), 0);
+  for (Index p = 0; p < planes.size(); ++p) set_up(p, rounded);
+}
+
+// A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
+// z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
+void DepthField::set_up(Index plane, const std::array<std::array<double, 4>, 4>& rounded) {
+  const Vec4 pi = homogeneous(planes_[plane]);
+  double value[4], error[4];
+  for (int j = 0; j < 4; ++j) {
+    double sum = 0, size = 0;
+    for (int i = 0; i < 4; ++i) {
+      sum += pi[i] * rounded[i][j];
+      size += std::fabs(pi[i] * rounded[i][j]);
+    }
+    value[j] = sum;
+    error[j] = kDotError * size;
+  }
+  // Rows of the view's matrix are in the order x^, y^, w^, z^. When cancellation has left few
+  // digits of pi'_z, take them exactly.
+  constexpr double kDigitsWanted = 1e-13;
+  if (error[3] > kDigitsWanted * std::fabs(value[3])) {
+    const std::array<Expansion, 4> sure = exact(plane);
+    for (int j = 0; j < 4; ++j) {
+      value[j] = sure[j].approximate();
+      error[j] = 2 * kEps * std::fabs(value[j]);
+    }
+  }
+  DepthPlane& d = depths_[plane];
+  if (value[3] == 0) {
+    seen_edge_on_[plane] = 1;
+    d = {};
+    return;
+  }
+  const double over = 1 / value[3];
+  const double relative =
+      error[3] * std::fabs(over) + 4 * kEps;  // of 1 / pi'_z, products and the sum a x + b y + c
+  d = {-value[0] * over, -value[1] * over, -value[2] * over, 0, 0, 0};
+  const auto bound = [&](double v, double e) {
+    return 2 * (e * std::fabs(over) + std::fabs(v) * relative);
+  };
+  d.ea = bound(d.a, error[0]);
+  d.eb = bound(d.b, error[1]);
+  d.ec = bound(d.c, error[2]);
+}
+
+int DepthField::compare(Index f, Index g, double x, double y) const {
+  if (f == g) return 0;
+  const DepthPlane& p = depths_[f];
+  const DepthPlane& q = depths_[g];
+  const double difference = p.at(x, y) - q.at(x, y);
+  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
+  if (std::fabs(difference) > error) return sign_of(difference);
+  return compare_exactly(f, g, x, y);
+}
+
+std::array<Expansion, 4> DepthField::exact(Index plane) const {
+  const Vec4 pi = homogeneous(planes_[plane]);
+  std::array<Expansion, 4> result;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) result[j] = result[j] + Expansion(pi[i]) * adjugate_[i][j];
+  return result;
+}
+
+int DepthField::compare_exactly(Index f, Index g, double x, double y) const {
+  const std::array<Expansion, 4> p = exact(f), q = exact(g);
+  const auto over = [&](const std::array<Expansion, 4>& e) {
+    return e[0] * Expansion(x) + e[1] * Expansion(y) + e[2];
+  };
+  // z_f - z_g = -P/p3 + Q/q3, so its sign is that of (Q p3 - P q3) times those of p3 and q3.
+  const Expansion difference = over(q) * p[3] - over(p) * q[3];
+  return difference.sign() * p[3].sign() * q[3].sign();
+}
+
+}  // namespace overstrike
