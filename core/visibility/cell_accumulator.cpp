@@ -63,19 +63,18 @@ void CellAccumulator::add_border(double xa, double ya, double xb, double yb, dou
   if (!(ya < yb) || density == 0) return;
   // Outside of the grid a line is as good as its margin.
   const double most = columns_;
-  const auto y_at = [&](double x) { return ya + (yb - ya) * ((x - xa) / (xb - xa)); };
-  double cuts[4] = {ya, yb, yb, yb};
-  int n = 1;
-  for (const double margin : {0.0, most})
-    if ((xa < margin) != (xb < margin) && xa != xb) cuts[n++] = std::clamp(y_at(margin), ya, yb);
-  cuts[n] = yb;
-  std::sort(cuts, cuts + n + 1);
-  for (int i = 0; i < n; ++i) {
+  const double slope = (xb - xa) / (yb - ya);
+  const auto y_at = [&](double margin) {
+    const bool passes = (xa < margin) != (xb < margin);
+    return passes ? std::clamp(ya + (margin - xa) / slope, ya, yb) : yb;
+  };
+  const auto [first, second] = std::minmax({y_at(0), y_at(most)});
+  const double cuts[4] = {ya, first, second, yb};
+  for (int i = 0; i < 3; ++i) {
     const double y0 = cuts[i], y1 = cuts[i + 1];
     if (!(y0 < y1)) continue;
-    const double slope = (xb - xa) / (yb - ya);
-    const double x0 = y0 == ya ? xa : xa + (y0 - ya) * slope,
-                 x1 = y1 == yb ? xb : xa + (y1 - ya) * slope;
+    const double x0 = y0 == ya ? xa : xa + (y0 - ya) * slope;
+    const double x1 = y1 == yb ? xb : xa + (y1 - ya) * slope;
     add_piece(std::clamp(x0, 0.0, most), y0, std::clamp(x1, 0.0, most), y1, density);
   }
 }

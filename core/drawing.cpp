@@ -1,0 +1,285 @@
+#include "core/drawing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "core/geometry/trig.h"
+#include "core/in_order.h"
+#include "core/visibility/canonical.h"
+#include "core/visibility/cell_scanner.h"
+#include "core/visibility/clip.h"
+#include "core/visibility/eye_table.h"
+#include "core/visibility/scan_line.h"
+#include "core/visibility/shadows.h"
+#include "core/visibility/strokes.h"
+#include "core/visibility/view.h"
+
+namespace overstrike {
+namespace {
+
+class Stopwatch {
+ public:
+  double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
+        .count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Things of which each thread needs one at a time, made when there are too few.
+template <class T>
+class Pool {
+ public:
+  explicit Pool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
+
+  template <class Use>
+  void use(const Use& work) {
+    std::unique_ptr<T> one = take();
+    work(*one);
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(one));
+  }
+
+ private:
+  std::unique_ptr<T> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return make_();
+    std::unique_ptr<T> one = std::move(free_.back());
+    free_.pop_back();
+    return one;
+  }
+
+  std::function<std::unique_ptr<T>()> make_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> free_;
+};
+
+/// The lines of a family over a grid, and the turned grid in which they are y = const.
+struct FamilyFrame {
+  FamilyFrame(const ScanFamily& f, const Grid& grid)
+      : family(f), c(cos_deg(f.angle_deg)), s(sin_deg(f.angle_deg)) {
+    const Vec2 corners[4] = {{0, 0}, {grid.columns, 0}, {grid.columns, grid.rows}, {0, grid.rows}};
+    low = Vec2(1e300), high = Vec2(-1e300);
+    for (const Vec2& p : corners) {
+      const Vec2 q(c * p.x + s * p.y, -s * p.x + c * p.y);
+      low = glm::min(low, q), high = glm::max(high, q);
+    }
+    first = static_cast<std::int64_t>(std::ceil((low.y - family.offset) / family.spacing));
+    last = static_cast<std::int64_t>(std::floor((high.y - family.offset) / family.spacing));
+    if (position(last) >= high.y) --last;
+  }
+
+  double position(std::int64_t index) const {
+    return family.offset + static_cast<double>(index) * family.spacing;
+  }
+  /// The turned grid's origin in the grid.
+  Vec2 origin() const { return Vec2(c * low.x - s * low.y, s * low.x + c * low.y); }
+
+  /// Where the line n . p = at lies in the grid, along the line.
+  std::pair<double, double> within(double at, const Grid& grid) const {
+    double t0 = low.x, t1 = high.x;
+    // The point at t is t (c, s) + at (-s, c).
+    const auto keep = [&](double base, double direction, double size) {
+      if (direction == 0) {
+        if (base < 0 || base > size) t1 = t0;
+        return;
+      }
+      const double a = -base / direction, b = (size - base) / direction;
+      t0 = std::max(t0, std::min(a, b)), t1 = std::min(t1, std::max(a, b));
+    };
+    keep(-s * at, c, grid.columns);
+    keep(c * at, s, grid.rows);
+    return {t0, t1};
+  }
+
+  ScanFamily family;
+  double c, s;
+  Vec2 low, high;
+  std::int64_t first, last;
+};
+
+void shift_and_clip(std::vector<DensityRun>& runs, std::size_t from, double shift, double t0,
+                    double t1) {
+  std::size_t out = from;
+  for (std::size_t i = from; i < runs.size(); ++i) {
+    DensityRun r = runs[i];
+    r.x0 += shift, r.x1 += shift;
+    const double slope = (r.density1 - r.density0) / (r.x1 - r.x0);
+    if (r.x0 < t0) r.density0 += slope * (t0 - r.x0), r.x0 = t0;
+    if (r.x1 > t1) r.density1 += slope * (t1 - r.x1), r.x1 = t1;
+    if (r.x0 < r.x1) runs[out++] = r;
+  }
+  runs.resize(out);
+}
+
+}  // namespace
+
+struct Drawing::Impl {
+  Impl(const Scene& scene, const Grid& asked_grid, const DrawOptions& draw_options)
+      : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
+    Stopwatch eye_watch;
+    whole = canonicalize(scene, view, options.tolerance, warnings);
+    clipped = view.near_plane && needs_clip(whole, *view.near_plane);
+    if (clipped) cut = clip(whole, *view.near_plane);
+    timings.eye_ms += eye_watch.ms();
+    Stopwatch light_watch;
+    shadows = cast_shadows(whole, seen(), view);
+    timings.light_ms += light_watch.ms();
+    Stopwatch table_watch;
+    table = std::make_unique<EyeTable>(seen(), view, shadows);
+    timings.eye_ms += table_watch.ms();
+  }
+
+  const Canonical& seen() const { return clipped ? cut : whole; }
+
+  /// Density, per run: what a hundredth of the geometric tolerance is to a cell.
+  double density_tolerance() const { return options.tolerance / 100; }
+
+  void report(std::size_t done, std::size_t all) const {
+    if (options.progress)
+      options.progress(static_cast<double>(done) /
+                       static_cast<double>(std::max<std::size_t>(all, 1)));
+  }
+
+  DrawOptions options;
+  Grid grid;
+  View view;
+  Canonical whole, cut;
+  bool clipped = false;
+  std::vector<Shadow> shadows;
+  std::unique_ptr<EyeTable> table;
+  std::vector<Diagnostic> warnings;
+  Timings timings;
+
+  void cells(const std::function<void(const CellRow&)>& sink);
+  void runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink);
+  void scan(const RunSource& source, const FamilyFrame& frame, double shift,
+            const std::function<void(const RunRow&)>& sink);
+};
+
+void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
+  Stopwatch watch;
+  double output_ms = 0;
+  const std::size_t columns = static_cast<std::size_t>(std::ceil(grid.columns));
+  const std::size_t rows = static_cast<std::size_t>(std::ceil(grid.rows));
+  constexpr std::size_t kMostRows = 16, kMostCells = std::size_t{1} << 18;
+  const std::size_t at_once =
+      std::clamp<std::size_t>(kMostCells / std::max<std::size_t>(columns, 1), 1, kMostRows);
+  const Bands bands(*table, static_cast<double>(at_once));
+  Pool<CellScanner> scanners([&] { return std::make_unique<CellScanner>(*table); });
+  std::vector<std::vector<float>> slots(slots_for(options.threads));
+  const std::size_t count = (rows + at_once - 1) / at_once;
+  const auto compute = [&](std::size_t band, std::size_t slot) {
+    slots[slot].clear();
+    scanners.use([&](CellScanner& scanner) {
+      for (std::size_t row = band * at_once; row < std::min(rows, (band + 1) * at_once); ++row) {
+        const std::span<const float> cells = scanner.resolve(
+            static_cast<std::int64_t>(row), bands.edges(band), bands.flat_edges(band));
+        slots[slot].insert(slots[slot].end(), cells.begin(), cells.end());
+      }
+    });
+  };
+  const auto consume = [&](std::size_t band, std::size_t slot) {
+    Stopwatch output;
+    for (std::size_t i = 0; i * columns < slots[slot].size(); ++i)
+      sink({static_cast<std::int64_t>(band * at_once + i),
+            std::span(slots[slot]).subspan(i * columns, columns)});
+    report(band + 1, count);
+    output_ms += output.ms();
+  };
+  in_order(count, options.threads, slots.size(), compute, consume);
+  timings.output_ms += output_ms;
+  timings.scan_ms += watch.ms() - output_ms;
+}
+
+void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, double shift,
+                         const std::function<void(const RunRow&)>& sink) {
+  struct Chunk {
+    std::vector<DensityRun> runs;
+    std::vector<std::size_t> ends;
+  };
+  double output_ms = 0;
+  Stopwatch watch;
+  constexpr std::size_t kLinesAtOnce = 16;
+  Pool<RunScanner> scanners([&] { return source.scanner(); });
+  std::vector<Chunk> slots(slots_for(options.threads));
+  const std::size_t lines =
+      frame.last < frame.first ? 0 : static_cast<std::size_t>(frame.last - frame.first + 1);
+  const std::size_t count = (lines + kLinesAtOnce - 1) / kLinesAtOnce;
+  const auto index_of = [&](std::size_t line) {
+    return frame.first + static_cast<std::int64_t>(line);
+  };
+  const auto compute = [&](std::size_t chunk, std::size_t slot) {
+    Chunk& c = slots[slot];
+    c.runs.clear(), c.ends.clear();
+    scanners.use([&](RunScanner& scanner) {
+      for (std::size_t line = chunk * kLinesAtOnce;
+           line < std::min(lines, (chunk + 1) * kLinesAtOnce); ++line) {
+        const double at = frame.position(index_of(line));
+        const std::size_t before = c.runs.size();
+        scanner.resolve(at - frame.low.y, c.runs);
+        const auto [t0, t1] = frame.within(at, grid);
+        shift_and_clip(c.runs, before, shift, t0, t1);
+        c.ends.push_back(c.runs.size());
+      }
+    });
+  };
+  const auto consume = [&](std::size_t chunk, std::size_t slot) {
+    Stopwatch output;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < slots[slot].ends.size(); ++i) {
+      const std::size_t to = slots[slot].ends[i];
+      sink({index_of(chunk * kLinesAtOnce + i),
+            std::span(slots[slot].runs).subspan(from, to - from)});
+      from = to;
+    }
+    report(chunk + 1, count);
+    output_ms += output.ms();
+  };
+  in_order(count, options.threads, slots.size(), compute, consume);
+  timings.output_ms += output_ms;
+  timings.scan_ms += watch.ms() - output_ms;
+}
+
+void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink) {
+  const FamilyFrame frame(family, grid);
+  if (family.angle_deg == 0) {
+    scan(LineSource(*table, density_tolerance()), frame, 0, sink);
+    return;
+  }
+  Stopwatch watch;
+  View turned_view = turned(view, family.angle_deg, frame.origin(), 1);
+  turned_view.grid.columns = frame.high.x - frame.low.x;
+  turned_view.grid.rows = frame.high.y - frame.low.y;
+  const EyeTable turned_table(seen(), turned_view, shadows);
+  timings.eye_ms += watch.ms();
+  scan(LineSource(turned_table, density_tolerance()), frame, frame.low.x, sink);
+}
+
+Drawing::Drawing(const Scene& scene, const Grid& grid, const DrawOptions& options)
+    : impl_(std::make_unique<Impl>(scene, grid, options)) {}
+Drawing::~Drawing() = default;
+Drawing::Drawing(Drawing&&) noexcept = default;
+
+void Drawing::cells(const std::function<void(const CellRow&)>& sink) { impl_->cells(sink); }
+
+void Drawing::runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink) {
+  impl_->runs(family, sink);
+}
+
+std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
+  Stopwatch watch;
+  std::vector<Stroke> strokes = visible_strokes(impl_->seen(), impl_->view, impl_->shadows, options,
+                                                impl_->options.tolerance);
+  impl_->timings.scan_ms += watch.ms();
+  return strokes;
+}
+
+const std::vector<Diagnostic>& Drawing::warnings() const { return impl_->warnings; }
+const Timings& Drawing::timings() const { return impl_->timings; }
+
+}  // namespace overstrike
