@@ -4,10 +4,11 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "core/geometry/direction.h"
-#include "core/geometry/plane_fit.h"
 #include "core/geometry/tessellate.h"
+#include "core/geometry/weld_planes.h"
 #include "core/visibility/prepare_shape.h"
 #include "core/visibility/view.h"
 
@@ -54,6 +55,35 @@ double chord_of(const Body& body, const View& view, double chord_cells) {
   return chord > 0 && chord < 1e300 ? quantised(chord) : 1;
 }
 
+/// A place is the product of moves, each of which adds four roundings to a coordinate (three
+/// products and the offset), relative to the largest that takes part; sixteen nested moves, the
+/// shape's own vertices and the placing itself stay below this many units of 2^-53.
+constexpr double kPlacementRoundings = 72;
+
+/// How far a placed vertex may be from where it was meant.
+double placed_error(const Polyhedron& p, const Affine& placement, double precision) {
+  Vec3 reach(0.0);
+  for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
+  const Mat3 size(glm::abs(placement.linear[0]), glm::abs(placement.linear[1]),
+                  glm::abs(placement.linear[2]));
+  const double rounding = max_norm(size * reach + glm::abs(placement.offset)) * 0x1p-53;
+  return kPlacementRoundings * rounding + max_norm(size * Vec3(precision));
+}
+
+/// Takes outward normals to outward normals, mirrored or not: the inverse transpose times |det|.
+Mat3 normal_map(const Mat3& a) {
+  const Mat3 cofactors(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
+  return glm::determinant(a) < 0 ? cofactors * -1.0 : cofactors;
+}
+
+/// Planes are the same whichever way their faces look: the largest component is positive.
+Plane upright(const PlaneFit& fit) {
+  const Vec3 size = glm::abs(fit.normal);
+  const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+  if (fit.normal[axis] < 0) return {-fit.normal, -fit.offset};
+  return {fit.normal, fit.offset};
+}
+
 bool finite(const Affine& a) {
   const Vec3 sum = a.linear[0] + a.linear[1] + a.linear[2] + a.offset;
   return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
@@ -71,11 +101,11 @@ class Assembler {
   }
 
   Canonical assemble() {
+    for (const Body& body : scene_.bodies)
+      any_smooth_ = any_smooth_ || body.shading == Shading::smooth;
     for (Index i = 0; i < scene_.bodies.size(); ++i)
       if (scene_.bodies[i].shape != nullptr) add(i);
-    for (WingedEdge& e : out_.edges)
-      if (e.right != kNone && out_.faces[e.left].plane == out_.faces[e.right].plane)
-        e.crease = false;
+    weld();
     return std::move(out_);
   }
 
@@ -87,10 +117,11 @@ class Assembler {
   }
 
   const PreparedShape& prepared(const Body& body) {
-    const bool curved = is_curved(*body.shape);
-    const double chord = curved ? chord_of(body, view_, chord_cells_) : 1;
-    auto& slot = shapes_[{body.shape.get(), chord}];
-    if (slot == nullptr) slot = std::make_unique<PreparedShape>(prepare_shape(*body.shape, chord));
+    const double chord = is_curved(*body.shape) ? chord_of(body, view_, chord_cells_) : 1;
+    const bool smooth = body.shading == Shading::smooth;
+    auto& slot = shapes_[{body.shape.get(), chord, smooth}];
+    if (slot == nullptr)
+      slot = std::make_unique<PreparedShape>(prepare_shape(*body.shape, chord, smooth));
     return *slot;
   }
 
@@ -110,7 +141,7 @@ class Assembler {
     result.pen = body.pen;
     result.source = source;
     for (const Vec3& p : shape.polyhedron.vertices) out_.vertices.push_back(body.placement(p));
-    add_faces(shape.polyhedron, result, mirrored);
+    add_faces(shape, result, body, mirrored);
     add_edges(shape, result, mirrored);
     result.end_face = static_cast<Index>(out_.faces.size());
     result.end_edge = static_cast<Index>(out_.edges.size());
@@ -119,31 +150,79 @@ class Assembler {
     out_.bodies.push_back(result);
   }
 
-  void add_faces(const Polyhedron& p, const CanonicalBody& body, bool mirrored) {
+  void add_faces(const PreparedShape& shape, const CanonicalBody& body, const Body& source,
+                 bool mirrored) {
+    const Polyhedron& p = shape.polyhedron;
+    const double error = placed_error(p, source.placement, shape.precision);
+    std::map<Index, Index> sample_of_group;
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};
       face.first_loop = static_cast<Index>(out_.loop_ends.size());
+      PlaneSample sample{{}, error, points_.size(), 0};
       PlaneFitter fitter;
       for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
-        add_loop(p.loop(l), body.first_vertex, mirrored);
-        const std::span<const Index> loop =
-            out_.loop(static_cast<Index>(out_.loop_ends.size()) - 1);
+        const std::span<const Index> loop = add_loop(p.loop(l), body.first_vertex, mirrored);
         fitter.add(loop.size(), [&](std::size_t i) { return out_.vertices[loop[i]]; });
+        for (const Index v : loop) points_.push_back(out_.vertices[v]);
       }
-      const PlaneFit fit = fitter.fit();
+      sample.fit = fitter.fit();
+      sample.end_point = points_.size();
       face.end_loop = static_cast<Index>(out_.loop_ends.size());
-      face.plane = static_cast<Index>(out_.planes.size());
       face.body = static_cast<Index>(out_.bodies.size());
-      out_.planes.push_back({fit.normal, fit.offset});
+      face.plane = static_cast<Index>(samples_.size());
+      normals_.push_back(sample.fit.normal);
+      if (!p.plane_groups.empty())
+        face.plane = sample_of_group.try_emplace(p.plane_groups[f], face.plane).first->second;
+      if (face.plane == samples_.size()) {
+        samples_.push_back(sample);
+      } else if (samples_[face.plane].fit.area < sample.fit.area) {
+        samples_[face.plane] = sample;
+      }
       out_.faces.push_back(face);
+      if (any_smooth_) add_corner_normals(shape, f, body, source, mirrored);
     }
   }
 
-  void add_loop(std::span<const Index> loop, Index first_vertex, bool mirrored) {
+  std::span<const Index> add_loop(std::span<const Index> loop, Index first_vertex, bool mirrored) {
     const std::size_t start = out_.corners.size();
     for (const Index v : loop) out_.corners.push_back(first_vertex + v);
     if (mirrored) std::reverse(out_.corners.begin() + start, out_.corners.end());
     out_.loop_ends.push_back(static_cast<Index>(out_.corners.size()));
+    return {out_.corners.data() + start, loop.size()};
+  }
+
+  void add_corner_normals(const PreparedShape& shape, Index f, const CanonicalBody& body,
+                          const Body& source, bool mirrored) {
+    const Polyhedron& p = shape.polyhedron;
+    const Mat3 map = normal_map(source.placement.linear);
+    for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
+      const std::size_t start = out_.corner_normals.size();
+      for (Index i = p.first_index(l); i < p.loop_ends[l]; ++i) {
+        const Vec3 given =
+            body.smooth && !p.corner_normals.empty() ? unit(map * p.corner_normals[i]) : Vec3(0.0);
+        out_.corner_normals.push_back(given != Vec3(0.0) ? given : normals_.back());
+      }
+      if (mirrored) std::reverse(out_.corner_normals.begin() + start, out_.corner_normals.end());
+    }
+  }
+
+  /// Decides which faces share a plane, once for all bodies.
+  void weld() {
+    std::vector<std::pair<Index, Index>> neighbours;
+    for (const WingedEdge& e : out_.edges)
+      if (e.right != kNone)
+        neighbours.emplace_back(out_.faces[e.left].plane, out_.faces[e.right].plane);
+    const WeldedPlanes welded = weld_planes(samples_, points_, neighbours);
+    for (const Index sample : welded.representative)
+      out_.planes.push_back(upright(samples_[sample].fit));
+    for (std::size_t f = 0; f < out_.faces.size(); ++f) {
+      CanonicalFace& face = out_.faces[f];
+      face.plane = welded.group[face.plane];
+      face.flipped = glm::dot(normals_[f], out_.planes[face.plane].normal) < 0;
+    }
+    for (WingedEdge& e : out_.edges)
+      if (e.right != kNone && out_.faces[e.left].plane == out_.faces[e.right].plane)
+        e.crease = false;
   }
 
   void add_edges(const PreparedShape& shape, const CanonicalBody& body, bool mirrored) {
@@ -169,7 +248,11 @@ class Assembler {
   const View& view_;
   double chord_cells_;
   std::vector<Diagnostic>& warnings_;
-  std::map<std::pair<const Shape*, double>, std::unique_ptr<PreparedShape>> shapes_;
+  std::map<std::tuple<const Shape*, double, bool>, std::unique_ptr<PreparedShape>> shapes_;
+  bool any_smooth_ = false;
+  std::vector<PlaneSample> samples_;  ///< until weld(), a face's plane is the number of its sample
+  std::vector<Vec3> points_;          ///< of the samples
+  std::vector<Vec3> normals_;         ///< per face
   Canonical out_;
 };
 

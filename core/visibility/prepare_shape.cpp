@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/geometry/smooth_normals.h"
 #include "core/geometry/tessellate.h"
 
 namespace overstrike {
@@ -29,19 +30,44 @@ bool smooth_by_normals(const Polyhedron& p, const EdgePair& e) {
   return same(e.from) || same(e.to);
 }
 
+/// Facets of a mesh file stand for whatever surface they were made from; a polyhedron written out
+/// in a scene means its edges, unless it is to be shaded smoothly.
+bool stands_for_surface(const Mesh& mesh, bool smooth) { return smooth || !mesh.source.empty(); }
+
+PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
+  PreparedShape result;
+  result.polyhedron = mesh.polyhedron;
+  result.precision = mesh.precision;
+  Polyhedron& p = result.polyhedron;
+  result.edges = pair_edges(p);
+  result.smooth_edge.assign(result.edges.size(), false);
+  if (!p.corner_normals.empty()) {
+    for (std::size_t i = 0; i < result.edges.size(); ++i)
+      result.smooth_edge[i] = smooth_by_normals(p, result.edges[i]);
+  } else if (stands_for_surface(mesh, smooth)) {
+    result.smooth_edge = shallow_edges(p, result.edges);
+    if (smooth) p.corner_normals = smooth_normals(p, result.edges, result.smooth_edge);
+  }
+  return result;
+}
+
+PreparedShape prepare_solid(const Shape& shape, double chord) {
+  PreparedShape result;
+  result.polyhedron = tessellate(shape, chord, is_curved(shape));
+  result.edges = pair_edges(result.polyhedron);
+  for (const EdgePair& e : result.edges)
+    result.smooth_edge.push_back(smooth_by_normals(result.polyhedron, e));
+  return result;
+}
+
 }  // namespace
 
-PreparedShape prepare_shape(const Shape& shape, double chord) {
-  PreparedShape result;
+PreparedShape prepare_shape(const Shape& shape, double chord, bool smooth) {
   const Mesh* mesh = std::get_if<Mesh>(&shape);
-  result.polyhedron =
-      mesh != nullptr ? mesh->polyhedron : tessellate(shape, chord, is_curved(shape));
-  if (mesh != nullptr) result.precision = mesh->precision;
-  result.edges = pair_edges(result.polyhedron);
-  for (const EdgePair& e : result.edges) {
-    result.smooth_edge.push_back(smooth_by_normals(result.polyhedron, e));
-    if (e.right == kNoFace) result.closed = false;
-  }
+  PreparedShape result =
+      mesh != nullptr ? prepare_mesh(*mesh, smooth) : prepare_solid(shape, chord);
+  result.closed = std::none_of(result.edges.begin(), result.edges.end(),
+                               [](const EdgePair& e) { return e.right == kNoFace; });
   return result;
 }
 

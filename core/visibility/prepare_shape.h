@@ -16,7 +16,8 @@ struct PreparedShape {
   std::vector<std::string> flaws;  ///< what was repaired, or could not be; in words
 };
 
-/// Tessellates to `chord` (units of the shape's frame) and repairs.
-PreparedShape prepare_shape(const Shape& shape, double chord);
+/// Tessellates to `chord` (units of the shape's frame) and repairs. `smooth` gives corner normals
+/// also to a mesh that brings none.
+PreparedShape prepare_shape(const Shape& shape, double chord, bool smooth);
 
 }  // namespace overstrike
