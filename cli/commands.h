@@ -1,0 +1,68 @@
+#pragma once
+// The subcommands: what each was asked, and what runs it. Options are already read and checked.
+#include <span>
+#include <string>
+#include <variant>
+
+#include "cli/scene_changes.h"
+#include "core/drawing.h"
+#include "devices/device.h"
+
+namespace overstrike {
+
+/// Exit statuses of the command.
+constexpr int kDone = 0;
+constexpr int kWorkFailed = 1;
+constexpr int kBadUsage = 2;
+
+enum class TimingsFormat : std::uint8_t { none, text, json };
+
+struct RenderCommand {
+  std::string scene;   ///< a file, or - for standard input
+  std::string output;  ///< a file, - for standard output, or empty
+  std::string device;  ///< empty: by the output's extension
+  std::string format;  ///< of standard input
+  Settings settings;   ///< for the device
+  SceneChanges changes;
+  Method method = Method::automatic;
+  double tolerance = 0;  ///< grid units; 0: the device's
+  int threads = 0;       ///< 0: all processors
+  TimingsFormat timings = TimingsFormat::none;
+  bool verbose = false;
+};
+
+struct EmulateCommand {
+  std::string machine;  ///< line-printer or plotter
+  std::string input;    ///< a file, or - for standard input
+  std::string output;   ///< its extension chooses the format
+  Settings settings;
+};
+
+struct CheckCommand {
+  std::string scene;
+  std::string format;
+};
+
+struct DevicesCommand {
+  std::string name;  ///< empty: list all
+};
+
+/// --help and --version.
+struct TextCommand {
+  std::string text;
+};
+
+using Command =
+    std::variant<RenderCommand, EmulateCommand, CheckCommand, DevicesCommand, TextCommand>;
+
+/// The words after the program's name. Throws UsageError.
+Command parse_command_line(std::span<const std::string> words);
+
+// Each returns an exit status, or throws UsageError, InputError (both: status 2) or WorkError (1).
+int run(const RenderCommand&);
+int run(const EmulateCommand&);
+int run(const CheckCommand&);
+int run(const DevicesCommand&);
+int run(const TextCommand&);
+
+}  // namespace overstrike
