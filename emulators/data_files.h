@@ -13,6 +13,12 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A sheet that cannot be written: the work failed, whoever asked for it is not to blame.
+class OutputError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// The file `relative` ("plotters/hp7475a.profile") in the first of these folders that has it:
 /// $OVERSTRIKE_DATA, share/overstrike beside the program's own bin, data/ of the source tree that
 /// it was built from, the share/overstrike it was configured to be installed to. Throws Error.

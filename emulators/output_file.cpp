@@ -50,8 +50,8 @@ void OutputFile::commit() {
 }
 
 void OutputFile::fail(int error) {
-  throw Error(path_.string() +
-              ": cannot be written: " + std::error_code(error, std::generic_category()).message());
+  throw OutputError(path_.string() + ": cannot be written: " +
+                    std::error_code(error, std::generic_category()).message());
 }
 
 }  // namespace overstrike::emulator

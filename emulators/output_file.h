@@ -7,7 +7,7 @@
 namespace overstrike::emulator {
 
 /// Writes beside `path` under a temporary name; commit() renames it over `path`. Destroyed before,
-/// it leaves nothing. All throw Error with the system's message.
+/// it leaves nothing. All throw OutputError with the system's message.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
