@@ -41,12 +41,16 @@ bool in_contact(const LoopEdge& e, const LoopEdge& f) {
   return meet(e, f);
 }
 
-/// The middle of what the two edges' boxes share: near the contact, and on it where they touch in a
-/// corner.
+/// A point that both edges have, but for rounding. Precondition: they meet.
 Vec2 near_contact(const LoopEdge& e, const LoopEdge& f) {
-  const Vec2 low = glm::max(glm::min(e.a, e.b), glm::min(f.a, f.b));
-  const Vec2 high = glm::min(glm::max(e.a, e.b), glm::max(f.a, f.b));
-  return (low + high) / 2.0;
+  for (const Vec2& p : {f.a, f.b})
+    if (turn_of(e.a, e.b, p) == 0 && within_box(p, e.a, e.b)) return p;
+  for (const Vec2& p : {e.a, e.b})
+    if (turn_of(f.a, f.b, p) == 0 && within_box(p, f.a, f.b)) return p;
+  const Vec2 along = e.b - e.a, other = f.b - f.a, between = f.a - e.a;
+  const double part =
+      (between.x * other.y - between.y * other.x) / (along.x * other.y - along.y * other.x);
+  return e.a + along * part;
 }
 
 }  // namespace

@@ -10,6 +10,12 @@ namespace overstrike {
 /// round a circle. Vertices lie on the true surface. Flat-faced shapes ignore `chord`. With
 /// `normals`, corner normals of the true surface are given for curved shapes (creases such as a
 /// cylinder's rim keep two normals). Precondition: validate() is empty. Deterministic to the bit.
+///
+/// Solids are closed: every directed edge has one opposite, and no two vertices have equal
+/// coordinates. Caps, and level parts of a turned profile, are one face, with holes where they have
+/// some. Faces are plane but for rounding; sweeps along closed paths that leave a plane get
+/// triangles where the path turns their profile. plane_groups is given where faces of one solid lie
+/// in one plane by construction.
 Polyhedron tessellate(const Shape& shape, double chord, bool normals);
 
 /// Why the shape cannot be drawn ("radius must be positive, found -1"), or empty.

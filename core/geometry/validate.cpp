@@ -271,9 +271,17 @@ string fault_of(const Mesh& s) {
   return {};
 }
 
+/// Sizes of the loop's shadows along the axes; unlike its area none that crosses itself cancels.
+Vec3 shadow_sizes(const std::vector<Vec3>& loop) {
+  Vec3 sum{0};
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    sum += glm::abs(glm::cross(loop[i] - loop[0], loop[i + 1] - loop[0]));
+  return sum;
+}
+
 /// Seen along the axis nearest to the polygon's normal; dropping a coordinate is exact.
-std::vector<Loop2> seen_flat(const FlatPolygon& s, const Vec3& normal) {
-  const Vec3 size = glm::abs(normal);
+std::vector<Loop2> seen_flat(const FlatPolygon& s) {
+  const Vec3 size = shadow_sizes(s.loops.front());
   const int drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   std::vector<Loop2> loops;
   for (const std::vector<Vec3>& loop : s.loops) {
@@ -292,7 +300,8 @@ string fault_of(const FlatPolygon& s) {
     if (s.loops[i].size() < 3)
       return loop_name(i) + " needs at least 3 points, found " + std::to_string(s.loops[i].size());
   }
-  const std::vector<Loop2> flat = seen_flat(s, vector_area(s.loops.front()));
+  if (shadow_sizes(s.loops.front()) == Vec3{0}) return "loop 1 has no area";
+  const std::vector<Loop2> flat = seen_flat(s);
   const string fault = loops_fault("", flat);
   if (!fault.empty()) return fault;
   const OrderedRegion region = in_order(flat);
