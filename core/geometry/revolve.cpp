@@ -71,11 +71,12 @@ class Revolver {
   /// Between directions k and k + 1: four corners, or three where the edge meets the axis. An
   /// apex has no normal of its own: it takes that of the middle of each facet.
   void add_facet(const ProfileEdge& edge, int k) {
-    const Vec2 middle = part_of_turn(2 * k + 1, 2 * facets_, angle_deg_);
     std::vector<Index> corners;
     const auto add = [&](Index point, int side, const Vec2& normal) {
       corners.push_back(vertex(point, side));
-      add_normal(normal, on_axis(point) ? middle : directions_[side]);
+      if (!normals_) return;
+      add_normal(normal, on_axis(point) ? part_of_turn(2 * k + 1, 2 * facets_, angle_deg_)
+                                        : directions_[side]);
     };
     add(edge.from, k, edge.normal_from);
     if (!on_axis(edge.from)) add(edge.from, k + 1, edge.normal_from);
