@@ -7,6 +7,9 @@
 
 #include "core/error.h"
 
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
 namespace overstrike {
 namespace {
 
@@ -49,17 +52,35 @@ TEST(Ink, CountsAFullCell) {
   EXPECT_EQ(full.count(), 36864);
 }
 
-// The glyphs' areas, from the font's outlines: a full stop is a rectangle of 252 x 305 and a hyphen
-// one of 521 x 164 units, 2048 an em. A cell at 10 to the inch is 1228.8 units wide, and high 1536
-// at 8 lines to the inch, 2048 at 6.
+/// The glyph's area in square ems, by FreeType's own anti-aliased rendering, large.
+double area_of_outline(char character) {
+  constexpr int kEm = 400;
+  FT_Library library = nullptr;
+  FT_Init_FreeType(&library);
+  FT_Face face = nullptr;
+  FT_New_Face(library, find_typeface("dejavu-sans-mono").font.c_str(), 0, &face);
+  FT_Set_Char_Size(face, kEm * 64, kEm * 64, 72, 72);
+  FT_Load_Char(face, static_cast<FT_ULong>(character), FT_LOAD_NO_HINTING);
+  FT_Render_Glyph(face->glyph, FT_RENDER_MODE_NORMAL);
+  const FT_Bitmap& bitmap = face->glyph->bitmap;
+  double sum = 0;
+  for (unsigned y = 0; y < bitmap.rows; ++y)
+    for (unsigned x = 0; x < bitmap.width; ++x)
+      sum += bitmap.buffer[static_cast<int>(y) * bitmap.pitch + static_cast<int>(x)] / 255.0;
+  FT_Done_Face(face);
+  FT_Done_FreeType(library);
+  return sum / (kEm * kEm);
+}
+
+// A cell at 10 characters and n lines to the inch is 0.6 ems wide and 6 / n high. 0.002 of a cell
+// is a twentieth of a step of the default table.
 TEST(GlyphInk, IsTheGlyphsAreaOverTheCells) {
-  const double full_stop = 252.0 * 305.0, hyphen = 521.0 * 164.0, width = 1228.8;
-  constexpr double kHalfARow = 0.0018;  // of the hyphen's pixels, at 8 lines to the inch
-  for (const auto& [lpi, height] : {std::pair(8.0, 1536.0), std::pair(6.0, 2048.0)}) {
+  for (const double lpi : {8.0, 6.0}) {
     const Alphabet alphabet = measured(10, lpi);
-    const double cell = alphabet.cell_pixels;
-    EXPECT_NEAR(find(alphabet, '.')->count / cell, full_stop / (width * height), kHalfARow);
-    EXPECT_NEAR(find(alphabet, '-')->count / cell, hyphen / (width * height), kHalfARow);
+    for (const Glyph& glyph : alphabet.glyphs)
+      EXPECT_NEAR(static_cast<double>(glyph.count) / alphabet.cell_pixels,
+                  area_of_outline(glyph.character) / (0.6 * 6 / lpi), 0.002)
+          << glyph.character << " at " << lpi;
   }
 }
 
