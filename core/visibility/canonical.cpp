@@ -18,6 +18,8 @@ namespace {
 /// Of a body that reaches from far away to the eye, what is nearer than this part of its greatest
 /// depth gets no finer facets: nearly all of its surface is farther.
 constexpr double kNearestDepth = 1.0 / 64;
+/// The same of a body round the eye, which cannot have facets for a depth of 0.
+constexpr double kNearestDepthAround = 1.0 / 8;
 
 /// Upper bound of the largest stretch of a linear map, at most 8 % too large: the Frobenius norm of
 /// (AtA)^4 is at least the eighth power of the largest singular value, and at most sqrt(3) times
@@ -50,7 +52,8 @@ double chord_of(const Body& body, const View& view, double chord_cells) {
     nearest = std::fmin(nearest, w);
     farthest = std::fmax(farthest, w);
   }
-  const double w = farthest > 0 ? std::fmax(nearest, farthest * kNearestDepth) : 1;
+  const double least = farthest * (nearest > 0 ? kNearestDepth : kNearestDepthAround);
+  const double w = farthest > 0 ? std::fmax(nearest, least) : 1;
   const double chord = chord_cells * view.world_per_cell * w / stretch(body.placement.linear);
   return chord > 0 && chord < 1e300 ? quantised(chord) : 1;
 }

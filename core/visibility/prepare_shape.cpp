@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/geometry/repair.h"
 #include "core/geometry/smooth_normals.h"
 #include "core/geometry/tessellate.h"
 
@@ -36,7 +37,7 @@ bool stands_for_surface(const Mesh& mesh, bool smooth) { return smooth || !mesh.
 
 PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
   PreparedShape result;
-  result.polyhedron = mesh.polyhedron;
+  result.polyhedron = repaired(mesh.polyhedron, {mesh.precision, false, mesh.lines}, result.flaws);
   result.precision = mesh.precision;
   Polyhedron& p = result.polyhedron;
   result.edges = pair_edges(p);
@@ -54,6 +55,8 @@ PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
 PreparedShape prepare_solid(const Shape& shape, double chord) {
   PreparedShape result;
   result.polyhedron = tessellate(shape, chord, is_curved(shape));
+  if (std::holds_alternative<FlatPolygon>(shape))
+    result.polyhedron = repaired(result.polyhedron, {0, true, {}}, result.flaws);
   result.edges = pair_edges(result.polyhedron);
   for (const EdgePair& e : result.edges)
     result.smooth_edge.push_back(smooth_by_normals(result.polyhedron, e));
