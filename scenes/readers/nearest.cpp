@@ -42,7 +42,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   if (word.empty() || word.size() > kLongestWord) return {};
   const std::string asked = plain(word);
   std::string_view best;
-  std::size_t least = std::max<std::size_t>(1, asked.size() / 3) + 1;
+  std::size_t least = 2 + asked.size() / 5;
   for (const std::string_view candidate : known) {
     if (candidate.size() > kLongestWord) continue;
     const std::size_t distance = edit_distance(asked, plain(candidate));
