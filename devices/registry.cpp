@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "devices/device.h"
+#include "devices/image/image.h"
 #include "devices/line_printer/line_printer.h"
 #include "devices/null/null.h"
 #include "devices/plotter/plotter.h"
@@ -11,6 +12,7 @@ namespace overstrike {
 
 const std::vector<DeviceKind>& device_kinds() {
   static const std::vector<DeviceKind> kinds = {
+      image_device(),
       line_printer_kind(),
       null_device(),
       plotter_kind(),
