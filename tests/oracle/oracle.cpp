@@ -1,0 +1,373 @@
+#include "tests/oracle/oracle.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "tests/oracle/projective.h"
+
+namespace overstrike::oracle {
+namespace {
+
+double clamped(double density) { return std::clamp(density, 0.0, 1.0); }
+
+/// Bounds of an outline in two coordinates; infinite until told otherwise.
+struct Box2 {
+  std::array<double, 2> low{-INFINITY, -INFINITY}, high{INFINITY, INFINITY};
+  bool may_hold(const Approx& x, const Approx& y) const {
+    return x.high() >= low[0] && x.low() <= high[0] && y.high() >= low[1] && y.low() <= high[1];
+  }
+};
+
+/// Bounds of the points' two quotients x/w, y/w; infinite when some w may be 0 or negative.
+class BoxMaker {
+ public:
+  void add(const Approx& x, const Approx& y, const Approx& w) {
+    if (!(w.value > w.error)) behind_ = true;
+    add(0, x / w);
+    add(1, y / w);
+  }
+  Box2 box() const { return behind_ ? Box2{} : box_; }
+
+ private:
+  void add(int axis, const Approx& v) {
+    box_.low[axis] = std::min(box_.low[axis], v.low());
+    box_.high[axis] = std::max(box_.high[axis], v.high());
+    if (!std::isfinite(v.error)) behind_ = true;
+  }
+  Box2 box_{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  bool behind_ = false;
+};
+
+/// Two vectors exactly at right angles to L, that span the plane across it.
+std::pair<Vec3, Vec3> across(const Vec3& l) {
+  const Vec3 a(std::fabs(l.x), std::fabs(l.y), std::fabs(l.z));
+  if (a.z >= a.x && a.z >= a.y) return {Vec3(l.z, 0, -l.x), Vec3(0, l.z, -l.y)};
+  if (a.y >= a.x) return {Vec3(l.y, -l.x, 0), Vec3(0, -l.z, l.y)};
+  return {Vec3(-l.y, l.x, 0), Vec3(-l.z, 0, l.x)};
+}
+
+template <class T>
+T dot3(const Vec3& a, const Four<T>& p) {
+  return T(a.x) * p[0] + T(a.y) * p[1] + T(a.z) * p[2];
+}
+
+template <class T>
+Four<T> row(const Mat4& m, int r) {
+  return four<T>(m[0][r], m[1][r], m[2][r], m[3][r]);
+}
+
+/// Rows of View::matrix: x^, y^, w^, z^.
+enum Row { kX, kY, kW, kZ };
+
+/// The line of sight through a grid point: where x^ - x w^ and y^ - y w^ vanish.
+Sight eye_sight(const View& view, double x, double y) {
+  return Sight([&view, x, y]<class T>() {
+    const Four<T> w = row<T>(view.matrix, kW);
+    Four<T> a = row<T>(view.matrix, kX), b = row<T>(view.matrix, kY);
+    for (int i = 0; i < 4; ++i) a[i] = a[i] - T(x) * w[i], b[i] = b[i] - T(y) * w[i];
+    return LineOf<T>(a, b);
+  });
+}
+
+/// The line through Q = P / P.w along L, of which `u` and `v` are across().
+Sight light_sight(const Hit& q, const Vec3& u, const Vec3& v) {
+  return Sight([&q, u, v]<class T>() {
+    const Four<T>& p = q.get<T>();
+    const auto through = [&p](const Vec3& n) -> Four<T> {
+      return {T(n.x) * p[3], T(n.y) * p[3], T(n.z) * p[3], -dot3<T>(n, p)};
+    };
+    return LineOf<T>(through(u), through(v));
+  });
+}
+
+int side_of(const Plane& plane, const Vec4& p) {
+  return sign_of([&]<class T>() { return dot(covector<T>(plane), four<T>(p.x, p.y, p.z, p.w)); });
+}
+
+}  // namespace
+
+/// What never changes from point to point, and the steps of the law.
+struct Oracle::Impl {
+  const Canonical& in;
+  const View& view;
+  struct Face {
+    int eye_side = 0;    ///< of the outward normal: 1 front, -1 behind, 0 edge-on
+    int light_side = 0;  ///< of the outward normal
+    Box2 eye_box, light_box;
+    std::vector<Vec3> sorted;  ///< vertices, for law 5
+  };
+  std::vector<Face> faces;
+  Vec3 u{0}, v{0};  ///< across the light
+  bool ground_seen = false;
+  Plane ground{Vec3(0, 0, 1), 0};
+
+  /// A face, ground or near plane met by the line of sight, in front of the eye and kept.
+  struct Meeting {
+    Index face;
+    Hit at;
+  };
+
+  Impl(const Canonical& c, const View& w) : in(c), view(w) {
+    if (in.light) std::tie(u, v) = across(*in.light);
+    for (const CanonicalFace& f : in.faces) faces.push_back(prepare(f));
+    if (!in.ground_z) return;
+    ground.offset = *in.ground_z;
+    ground_seen = side_of(ground, view.eye) > 0;
+  }
+
+  template <class Visit>
+  void for_each_edge(const CanonicalFace& f, const Visit& visit) const {
+    for (Index l = f.first_loop; l < f.end_loop; ++l) {
+      const auto loop = in.loop(l);
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        visit(in.vertices[loop[i]], in.vertices[loop[i + 1 == loop.size() ? 0 : i + 1]]);
+    }
+  }
+
+  Face prepare(const CanonicalFace& f) const {
+    Face made;
+    const Plane& plane = in.planes[f.plane];
+    const int outward = f.flipped ? -1 : 1;
+    made.eye_side = outward * side_of(plane, view.eye);
+    if (in.light) made.light_side = outward * side_of({plane.normal, 0}, Vec4(*in.light, 0));
+    BoxMaker eye, light;
+    for_each_edge(f, [&](const Vec3& p, const Vec3&) {
+      const auto h = point<Approx>(p);
+      const auto in_row = [&](Row r) { return dot(row<Approx>(view.matrix, r), h); };
+      eye.add(in_row(kX), in_row(kY), in_row(kW));
+      light.add(dot3<Approx>(u, h), dot3<Approx>(v, h), Approx(1));
+      made.sorted.push_back(p);
+    });
+    made.eye_box = eye.box(), made.light_box = light.box();
+    std::sort(made.sorted.begin(), made.sorted.end(), less);
+    return made;
+  }
+
+  static bool less(const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  }
+
+  /// Even-odd: how many edges cross the half-plane y = 0, x > 0 of the line's two covectors. It
+  /// meets the face's plane in a half-line from the point asked about.
+  bool covers(const CanonicalFace& f, const Sight& s) const {
+    bool inside = false;
+    for_each_edge(f, [&](const Vec3& a, const Vec3& b) {
+      const auto y_sign = [&](const Vec3& p) {
+        return sign_of([&]<class T>() { return dot(s.get<T>().y, point<T>(p)); });
+      };
+      const bool a_above = y_sign(a) > 0, b_above = y_sign(b) > 0;
+      if (a_above == b_above) return;
+      const int crossing = sign_of([&]<class T>() {
+        const LineOf<T>& l = s.get<T>();
+        const auto pa = point<T>(a), pb = point<T>(b);
+        return dot(l.y, pb) * dot(l.x, pa) - dot(l.y, pa) * dot(l.x, pb);
+      });
+      if (crossing * (b_above ? 1 : -1) > 0) inside = !inside;
+    });
+    return inside;
+  }
+
+  int sign_at(const Hit& h, const Plane& plane) const {
+    const int w = sign_of([&]<class T>() { return h.get<T>()[3]; });
+    return w * sign_of([&]<class T>() { return dot(covector<T>(plane), h.get<T>()); });
+  }
+  int w_sign(const Hit& h) const {
+    return sign_of([&]<class T>() { return dot(row<T>(view.matrix, kW), h.get<T>()); });
+  }
+
+  /// Laws 1 and 3: a finite point in front of the eye and not cut away.
+  bool is_there(const Hit& h) const {
+    const int finite = sign_of([&]<class T>() { return h.get<T>()[3]; });
+    if (finite == 0 || finite * w_sign(h) <= 0) return false;
+    return !view.near_plane || sign_at(h, *view.near_plane) >= 0;
+  }
+
+  std::vector<Meeting> meetings(const Sight& sight, double x, double y) const {
+    std::vector<Meeting> met;
+    for (Index i = 0; i < faces.size(); ++i) {
+      const Face& face = faces[i];
+      const CanonicalFace& f = in.faces[i];
+      const bool closed = in.bodies[f.body].closed;
+      if (face.eye_side == 0 || (face.eye_side < 0 && closed && !view.near_plane)) continue;
+      if (!face.eye_box.may_hold(Approx(x), Approx(y)) || !covers(f, sight)) continue;
+      Hit h = hit(sight, in.planes[f.plane]);
+      if (is_there(h)) met.push_back({i, std::move(h)});
+    }
+    return met;
+  }
+
+  /// Law 3. Faces are left from behind and entered from the front, so that the winding number at
+  /// the near plane is the number left beyond it less the number entered.
+  std::optional<Seen> cut_face(const std::vector<Meeting>& met) const {
+    if (!view.near_plane) return {};
+    std::vector<int> winding(in.bodies.size(), 0);
+    for (const Meeting& m : met) winding[in.faces[m.face].body] -= faces[m.face].eye_side;
+    std::optional<Seen> best;
+    for (Index b = 0; b < in.bodies.size(); ++b) {
+      if (!in.bodies[b].closed || winding[b] == 0) continue;
+      const double d = clamped(in.law.cut_factor * in.law.hmax * in.bodies[b].density_factor);
+      if (!best || d > best->density) best = Seen{kNone, b, Kind::cut, d};
+    }
+    return best;
+  }
+
+  /// The sign of depth(a) - depth(b) (law 5).
+  int compare_depth(const Hit& a, const Hit& b) const {
+    const int difference = sign_of([&]<class T>() {
+      const auto z = row<T>(view.matrix, kZ), w = row<T>(view.matrix, kW);
+      const auto &p = a.get<T>(), &q = b.get<T>();
+      return dot(z, p) * dot(w, q) - dot(z, q) * dot(w, p);
+    });
+    return difference * w_sign(a) * w_sign(b);
+  }
+
+  bool visible(const Meeting& m) const {
+    return faces[m.face].eye_side > 0 || !in.bodies[in.faces[m.face].body].closed;
+  }
+
+  Seen see(double x, double y) const {
+    const Sight sight = eye_sight(view, x, y);
+    std::vector<Meeting> met = meetings(sight, x, y);
+    if (const auto cut = cut_face(met)) return *cut;
+    std::erase_if(met, [&](const Meeting& m) { return !visible(m); });
+    std::vector<const Meeting*> nearest;
+    for (const Meeting& m : met) {
+      const int order = nearest.empty() ? 1 : compare(m, *nearest.front());
+      if (order > 0) nearest.clear();
+      if (order >= 0) nearest.push_back(&m);
+    }
+    if (!ground_seen) return darkest(nearest);
+    const Hit h = hit(sight, ground);
+    if (!is_there(h)) return darkest(nearest);
+    const int order = nearest.empty() ? 1 : compare_depth(h, nearest.front()->at);
+    if (order > 0) return ground_at(h);
+    const Seen face = darkest(nearest);
+    if (order < 0) return face;
+    const Seen below = ground_at(h);
+    return below.density > face.density ? below : face;
+  }
+
+  int compare(const Meeting& a, const Meeting& b) const {
+    if (in.faces[a.face].plane == in.faces[b.face].plane) return 0;
+    return compare_depth(a.at, b.at);
+  }
+
+  Seen darkest(const std::vector<const Meeting*>& tied) const {
+    Seen best;
+    for (const Meeting* m : tied) {
+      const Seen s = face_at(*m);
+      const bool first = best.face == kNone;
+      if (first || s.density > best.density ||
+          (s.density == best.density && precedes(s.face, best.face)))
+        best = s;
+    }
+    return best;
+  }
+
+  /// Law 5, among equal densities.
+  bool precedes(Index a, Index b) const {
+    const Plane &p = in.planes[in.faces[a].plane], &q = in.planes[in.faces[b].plane];
+    if (less(p.normal, q.normal) || less(q.normal, p.normal)) return less(p.normal, q.normal);
+    if (p.offset != q.offset) return p.offset < q.offset;
+    const auto &s = faces[a].sorted, &t = faces[b].sorted;
+    return std::lexicographical_compare(s.begin(), s.end(), t.begin(), t.end(), less);
+  }
+
+  /// Law 6, for a point of a face of plane `own` (kNone: the ground).
+  bool shadowed(const Hit& q, Index own) const {
+    const Sight ray = light_sight(q, u, v);
+    const Four<Approx>& p = q.get<Approx>();
+    const Approx across_u = dot3<Approx>(u, p) / p[3], across_v = dot3<Approx>(v, p) / p[3];
+    for (Index i = 0; i < faces.size(); ++i) {
+      const CanonicalFace& f = in.faces[i];
+      if (f.plane == own || faces[i].light_side == 0) continue;
+      if (in.bodies[f.body].closed && faces[i].light_side < 0) continue;
+      if (!faces[i].light_box.may_hold(across_u, across_v)) continue;
+      // t = (offset - n.Q) / (n.L); the stored normal's side of the light is light_side, unflipped.
+      const int stored_side = f.flipped ? -faces[i].light_side : faces[i].light_side;
+      if (-sign_at(q, in.planes[f.plane]) * stored_side > 0 && covers(f, ray)) return true;
+    }
+    return false;
+  }
+
+  Seen ground_at(const Hit& h) const {
+    if (!in.light || !(in.light->z > 0) || !shadowed(h, kNone)) return {};
+    const double d = clamped(in.law.hmax * in.law.ground_shadow_factor);
+    return {kNone, kNone, Kind::ground_shadow, d};
+  }
+
+  /// Laws 6 and 7.
+  Seen face_at(const Meeting& m) const {
+    const CanonicalFace& f = in.faces[m.face];
+    const double factor = in.bodies[f.body].density_factor;
+    const int seen_side = faces[m.face].eye_side;
+    Seen s{m.face, f.body, Kind::lit, clamped(in.law.hmax * (1 - in.law.k) * factor)};
+    if (!in.light) return s;
+    const bool faces_light = faces[m.face].light_side * seen_side > 0;
+    if (faces_light && shadowed(m.at, f.plane)) {
+      s.kind = Kind::shadow, s.density = clamped(in.law.hmax * factor);
+      return s;
+    }
+    s.kind = faces_light ? Kind::lit : Kind::shade;
+    s.density = is_smooth(f) ? smooth(f, m.at, seen_side)
+                             : shade(seen_side * glm::dot(in.outward(f), *in.light), factor);
+    return s;
+  }
+
+  /// NN74 (15); cos a below 0 is shade.
+  double shade(double cosine, double factor) const {
+    return clamped(in.law.hmax * (1 - in.law.k * std::max(0.0, cosine)) * factor);
+  }
+
+  bool is_smooth(const CanonicalFace& f) const {
+    return in.bodies[f.body].smooth && !in.corner_normals.empty() && f.end_loop - f.first_loop == 1;
+  }
+
+  double smooth(const CanonicalFace& f, const Hit& h, int seen_side) const {
+    const Four<Approx>& p = h.get<Approx>();
+    const Vec3 q = Vec3(p[0].value, p[1].value, p[2].value) / p[3].value;
+    const Index first = f.first_loop == 0 ? 0 : in.loop_ends[f.first_loop - 1];
+    const Index end = in.loop_ends[f.first_loop];
+    const auto corner = [&](Index i) {
+      return shade(seen_side * glm::dot(in.corner_normals[i], *in.light),
+                   in.bodies[f.body].density_factor);
+    };
+    double best_inside = -INFINITY, best = 0;
+    for (Index i = first + 1; i + 1 < end; ++i) {
+      const Vec3 b = barycentric(q, first, i, i + 1);
+      const double inside = std::min({b.x, b.y, b.z});
+      if (!(inside > best_inside)) continue;
+      best_inside = inside;
+      best = b.x * corner(first) + b.y * corner(i) + b.z * corner(i + 1);
+    }
+    return best;
+  }
+
+  Vec3 barycentric(const Vec3& q, Index i, Index j, Index k) const {
+    const Vec3 &a = in.vertices[in.corners[i]], &b = in.vertices[in.corners[j]],
+               &c = in.vertices[in.corners[k]];
+    const Vec3 n = glm::cross(b - a, c - a);
+    const double area = glm::dot(n, n);
+    const double y = glm::dot(glm::cross(q - a, c - a), n) / area;
+    const double z = glm::dot(glm::cross(b - a, q - a), n) / area;
+    return {1 - y - z, y, z};
+  }
+};
+
+Oracle::Oracle(const Canonical& canonical, const View& view)
+    : impl_(std::make_unique<Impl>(canonical, view)) {}
+Oracle::~Oracle() = default;
+
+Seen Oracle::at(double x, double y) const { return impl_->see(x, y); }
+
+bool Oracle::near_edge(double x, double y, double radius) const {
+  const Seen here = at(x, y);
+  const double r = radius * std::sqrt(0.5);
+  const std::array<Vec2, 8> around{Vec2(radius, 0),  Vec2(r, r),   Vec2(0, radius),  Vec2(-r, r),
+                                   Vec2(-radius, 0), Vec2(-r, -r), Vec2(0, -radius), Vec2(r, -r)};
+  return std::any_of(around.begin(), around.end(),
+                     [&](const Vec2& d) { return !here.same(at(x + d.x, y + d.y)); });
+}
+
+}  // namespace overstrike::oracle
