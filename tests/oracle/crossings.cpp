@@ -1,0 +1,112 @@
+#include "tests/oracle/crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace overstrike::oracle {
+namespace {
+
+/// This search runs in doubles and only has to tell which crossing it is: generous, in grid units.
+constexpr double kSearch = 1e-6, kWidestSearch = 1e-3;
+/// How far past its ends an edge still counts, relative to its length: for run ends at vertices.
+constexpr double kPastEnd = 1e-6;
+
+}  // namespace
+
+struct Crossings::Search {
+  const Line& line;
+  double s;
+  std::vector<double> found;
+
+  void add(double at, double condition) {
+    if (std::fabs(at - s) <= std::min(kSearch * condition, kWidestSearch))
+      found.push_back(condition);
+  }
+  /// How far a homogeneous grid point (x^, y^, w^) lies across the line, times w^.
+  double across(const Vec3& p) const {
+    const Vec2 n(-line.direction.y, line.direction.x);
+    return n.x * p.x + n.y * p.y - glm::dot(n, line.origin) * p.z;
+  }
+  double along(const Vec3& p) const {
+    return glm::dot(line.direction, Vec2(p.x, p.y) / p.z - line.origin);
+  }
+  /// The image of a straight edge, given by its ends' homogeneous grid points.
+  void add_edge(const Vec3& a, const Vec3& b, double factor) {
+    const double fa = across(a), fb = across(b);
+    const double slack = kPastEnd * std::fabs(fb - fa);
+    if (fa == fb || std::min(fa, fb) > slack || std::max(fa, fb) < -slack) return;
+    const Vec3 crossing = (fb * a - fa * b) / (fb - fa);
+    if (crossing.z <= 0) return;
+    const Vec3 l = glm::cross(a, b);
+    const double length = std::hypot(l.x, l.y);
+    add(along(crossing), factor * length / std::fabs(glm::dot(Vec2(l.x, l.y), line.direction)));
+  }
+  /// Two planes in grid coordinates, as covectors over (x, y, w, z).
+  void add_depths(const Vec4& a, const Vec4& b) {
+    if (a.w == 0 || b.w == 0) return;
+    const Vec2 slope_a(-a.x / a.w, -a.y / a.w), slope_b(-b.x / b.w, -b.y / b.w);
+    const Vec2 difference = slope_a - slope_b;
+    const double along_line = glm::dot(difference, line.direction);
+    if (along_line == 0) return;
+    const double start = -a.z / a.w + b.z / b.w + glm::dot(difference, line.origin);
+    add(-start / along_line, (glm::length(slope_a) + glm::length(slope_b)) / std::fabs(along_line));
+  }
+};
+
+Crossings::Crossings(const Canonical& canonical, const View& view)
+    : in_(canonical), view_(view), planes_to_grid_(glm::transpose(glm::inverse(view.matrix))) {}
+
+Vec3 Crossings::image(const Vec3& p) const { return Vec3(view_.matrix * Vec4(p, 1)); }
+
+/// Rows of the matrix are x^, y^, w^, z^, and so are the components.
+Vec4 Crossings::image(const Plane& plane) const {
+  return planes_to_grid_ * Vec4(plane.normal, -plane.offset);
+}
+
+void Crossings::edges(Search& search) const {
+  for (const WingedEdge& e : in_.edges)
+    search.add_edge(image(in_.vertices[e.from]), image(in_.vertices[e.to]), 1);
+}
+
+/// Every edge's shadow on the receiver's plane.
+void Crossings::shadow_edges(Search& search, const Plane& receiver) const {
+  const Vec3 light = *in_.light;
+  const double facing = glm::dot(receiver.normal, light);
+  if (facing == 0) return;
+  const auto shadow = [&](Index v) {
+    const Vec3& p = in_.vertices[v];
+    return image(p + light * ((receiver.offset - glm::dot(receiver.normal, p)) / facing));
+  };
+  for (const WingedEdge& e : in_.edges)
+    search.add_edge(shadow(e.from), shadow(e.to), 1 / std::fabs(facing));
+}
+
+/// Where any plane of the scene passes through this one.
+void Crossings::depths(Search& search, const Plane& with) const {
+  const Vec4 one = image(with);
+  for (const Plane& p : in_.planes) search.add_depths(one, image(p));
+  if (in_.ground_z) search.add_depths(one, image(Plane{Vec3(0, 0, 1), *in_.ground_z}));
+}
+
+std::vector<double> Crossings::conditions(const Line& line, double s, const Seen& left,
+                                          const Seen& right) const {
+  Search search{line, s, {}};
+  edges(search);
+  for (const Seen& seen : {left, right}) {
+    if (seen.face != kNone) {
+      const Plane& plane = in_.planes[in_.faces[seen.face].plane];
+      depths(search, plane);
+      if (in_.light) shadow_edges(search, plane);
+    } else if (in_.ground_z) {
+      const Plane ground{Vec3(0, 0, 1), *in_.ground_z};
+      depths(search, ground);
+      if (in_.light) shadow_edges(search, ground);
+    }
+  }
+  if (view_.near_plane) depths(search, *view_.near_plane);
+  std::sort(search.found.begin(), search.found.end());
+  return search.found;
+}
+
+}  // namespace overstrike::oracle

@@ -1,0 +1,215 @@
+#include "tests/oracle/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/visibility/clip.h"
+
+namespace overstrike::oracle {
+namespace {
+
+/// Failures of one view that are reported in full.
+constexpr int kReported = 3;
+
+std::string to_text(const Seen& s) {
+  if (s.paper()) return "paper";
+  const auto number = [](Index i) { return i == kNone ? std::string("-") : std::to_string(i); };
+  return std::string(to_string(s.kind)) + " face " + number(s.face) + " body " + number(s.body) +
+         " density " + std::to_string(s.density);
+}
+
+std::string place(const Vec2& p) {
+  return "at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + "): ";
+}
+
+Line line_of(const ScanFamily& family, std::int64_t index) {
+  const double angle = family.angle_deg * (3.14159265358979323846 / 180);
+  const Vec2 direction(std::cos(angle), std::sin(angle));
+  const double offset = family.offset + static_cast<double>(index) * family.spacing;
+  return {offset * Vec2(-direction.y, direction.x), direction};
+}
+
+/// The part of a line in the grid; from > to when there is none.
+std::pair<double, double> clip(const Line& line, const Grid& grid) {
+  double from = -INFINITY, to = INFINITY;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double size = axis == 0 ? grid.columns : grid.rows;
+    const double o = line.origin[axis], d = line.direction[axis];
+    if (d == 0) {
+      if (o < 0 || o > size) to = -INFINITY;
+      continue;
+    }
+    from = std::max(from, std::min(-o / d, (size - o) / d));
+    to = std::min(to, std::max(-o / d, (size - o) / d));
+  }
+  return {from, to};
+}
+
+}  // namespace
+
+Seen Stretch::seen(double s) const {
+  if (!run) return {};
+  const double t = (s - run->x0) / (run->x1 - run->x0);
+  const double density = run->density0 + t * (run->density1 - run->density0);
+  const bool has_face = run->kind != Kind::cut && run->kind != Kind::ground_shadow;
+  return {has_face ? run->surface : kNone, run->body, run->kind, density};
+}
+
+std::vector<Stretch> ScannedLine::stretches() const {
+  std::vector<Stretch> made;
+  double s = from;
+  const auto add = [&](double until, const DensityRun* run) {
+    if (until - s > kThinnest)
+      made.push_back({s, until, run});
+    else if (!made.empty())
+      made.back().to = until;
+    else
+      return;
+    s = until;
+  };
+  for (const DensityRun& r : runs) {
+    if (r.x0 > s) add(r.x0, nullptr);
+    add(r.x1, &r);
+  }
+  if (s < to) add(to, nullptr);
+  return made;
+}
+
+Trial::Trial(const Scene& scene, const Grid& grid, double tolerance, std::string name)
+    : grid_(grid),
+      name_(std::move(name)),
+      view_(make_view(scene, grid)),
+      canonical_(canonicalize(scene, view_, tolerance, warnings_)),
+      oracle_(canonical_, view_),
+      crossings_(canonical_, view_) {
+  std::seed_seq seed(name_.begin(), name_.end());
+  bits_.seed(seed);
+  learn_numbers();
+  DrawOptions options;
+  options.tolerance = tolerance;
+  options.threads = 1;
+  Drawing drawing(scene, grid, options);
+  for (const ScanFamily& family :
+       {ScanFamily{0, 1, 0.5}, ScanFamily{0, 3.7, 0.2937}, ScanFamily{33, 5.3, 0.71}})
+    scan(drawing, family);
+}
+
+void Trial::judge(int points, int ends) {
+  for (int i = 0; i < points; ++i) judge_point();
+  judge_ends(ends);
+}
+
+Index Trial::first_in_plane(Index body, const Plane& plane, bool flipped) const {
+  for (Index f = canonical_.bodies[body].first_face; f < canonical_.bodies[body].end_face; ++f) {
+    const CanonicalFace& face = canonical_.faces[f];
+    const Plane& p = canonical_.planes[face.plane];
+    if (p.normal == plane.normal && p.offset == plane.offset && face.flipped == flipped) return f;
+  }
+  return kNone;
+}
+
+void Trial::learn_numbers() {
+  if (!view_.near_plane || !needs_clip(canonical_, *view_.near_plane)) return;
+  const Canonical drawn = clip(canonical_, *view_.near_plane);
+  std::map<Index, Index> body_of_source;
+  for (Index b = 0; b < canonical_.bodies.size(); ++b)
+    body_of_source[canonical_.bodies[b].source] = b;
+  for (const CanonicalBody& b : drawn.bodies) body_of_drawn_.push_back(body_of_source.at(b.source));
+  for (const CanonicalFace& f : drawn.faces)
+    face_of_drawn_.push_back(
+        first_in_plane(body_of_drawn_[f.body], drawn.planes[f.plane], f.flipped));
+  for (const CanonicalFace& f : canonical_.faces)
+    face_of_input_.push_back(first_in_plane(f.body, canonical_.planes[f.plane], f.flipped));
+}
+
+DensityRun Trial::in_numbers_of_input(DensityRun run) const {
+  if (face_of_input_.empty()) return run;
+  if (run.surface != kNoSurface) run.surface = face_of_drawn_.at(run.surface);
+  if (run.body != kNoSurface) run.body = body_of_drawn_.at(run.body);
+  return run;
+}
+
+Seen Trial::oracle_at(const Vec2& p) const {
+  Seen seen = oracle_.at(p.x, p.y);
+  if (!face_of_input_.empty() && seen.face != kNone) seen.face = face_of_input_[seen.face];
+  return seen;
+}
+
+void Trial::scan(Drawing& drawing, const ScanFamily& family) {
+  const std::size_t before = lines_.size();
+  drawing.runs(family, [&](const RunRow& row) {
+    const Line line = line_of(family, row.index);
+    const auto [from, to] = clip(line, grid_);
+    if (!(from < to)) return;
+    lines_.push_back({line, from, to, {}});
+    for (const DensityRun& run : row.runs) lines_.back().runs.push_back(in_numbers_of_input(run));
+    for (std::size_t i = 0; i < row.runs.size(); ++i) {
+      if (!(row.runs[i].x0 < row.runs[i].x1)) fail("an empty run");
+      if (i > 0 && row.runs[i].x0 < row.runs[i - 1].x1) fail("runs overlap");
+    }
+  });
+  if (lines_.size() == before) fail("no scan lines");
+}
+
+void Trial::fail(const std::string& what) {
+  if (failures_++ < kReported) ADD_FAILURE() << name_ << ": " << what;
+}
+
+double Trial::uniform(double low, double high) {
+  return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+}
+
+void Trial::judge_point() {
+  const ScannedLine& scanned = any_line();
+  const double s = uniform(scanned.from, scanned.to);
+  const Vec2 p = scanned.line.at(s);
+  const Seen expected = oracle_at(p);
+  Seen found;
+  for (const Stretch& stretch : scanned.stretches())
+    if (stretch.from <= s && s < stretch.to) found = stretch.seen(s);
+  const bool smooth = found.body != kNone && canonical_.bodies[found.body].smooth;
+  const double allowed = smooth ? kSmoothDensityError : kFlatDensityError;
+  if (expected.same(found) && std::fabs(expected.density - found.density) <= allowed) return;
+  if (oracle_.near_edge(p.x, p.y, kEdgeRadius))
+    ++skipped_;
+  else
+    fail(place(p) + "expected " + to_text(expected) + ", found " + to_text(found));
+}
+
+void Trial::judge_ends(int count) {
+  constexpr int kTries = 20;  // for one end that is a true change and not the grid's
+  for (int tries = 0; tries < kTries * count && count > 0; ++tries) {
+    const ScannedLine& scanned = any_line();
+    const auto stretches = scanned.stretches();
+    if (stretches.size() < 2) continue;
+    const std::size_t i = bits_() % (stretches.size() - 1);
+    const double s = stretches[i].to;
+    if (stretches[i].seen(s).same(stretches[i + 1].seen(s))) continue;
+    judge_end(scanned.line, stretches[i], stretches[i + 1]);
+    --count;
+  }
+}
+
+/// Something crosses here, and within its conditioned error the oracle sees the neighbours.
+void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& right) {
+  const double s = left.to;
+  const Seen l = left.seen(s), r = right.seen(s);
+  std::string seen;
+  for (const double condition : crossings_.conditions(line, s, l, r)) {
+    const double reach = kEndError * std::max(1.0, condition);
+    const Vec2 before = line.at(std::max(s - reach, (left.from + s) / 2)),
+               after = line.at(std::min(s + reach, (right.to + s) / 2));
+    const Seen was = oracle_at(before), is = oracle_at(after);
+    if (was.same(l) && is.same(r)) return;
+    seen +=
+        "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);
+  }
+  fail(place(line.at(s)) + "a run ends between " + to_text(l) + " | " + to_text(r) +
+       (seen.empty() ? ", where nothing crosses" : ", the oracle sees" + seen));
+}
+
+}  // namespace overstrike::oracle
