@@ -170,7 +170,7 @@ void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
   const std::size_t at_once =
       std::clamp<std::size_t>(kMostCells / std::max<std::size_t>(columns, 1), 1, kMostRows);
   const Bands bands(*table, static_cast<double>(at_once));
-  Pool<CellScanner> scanners([&] { return std::make_unique<CellScanner>(*table); });
+  Pool<CellScanner> scanners([&] { return std::make_unique<CellScanner>(*table, options.tolerance); });
   std::vector<std::vector<float>> slots(slots_for(options.threads));
   const std::size_t count = (rows + at_once - 1) / at_once;
   const auto compute = [&](std::size_t band, std::size_t slot) {

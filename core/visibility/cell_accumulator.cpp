@@ -134,6 +134,14 @@ void CellAccumulator::add_smooth(const std::vector<Vec2>& polygon, const EyeFace
   }
 }
 
+void CellAccumulator::add_run(const DensityRun& run, double height) {
+  const double slope = (run.density1 - run.density0) / (run.x1 - run.x0);
+  for (int i = static_cast<int>(run.x0); i < columns_ && i < run.x1; ++i) {
+    const double low = std::max<double>(run.x0, i), high = std::min<double>(run.x1, i + 1);
+    value_[i] += height * (high - low) * (run.density0 + slope * ((low + high) / 2 - run.x0));
+  }
+}
+
 std::span<const float> CellAccumulator::finish() {
   for (int i = 0; i < columns_; ++i)
     result_[i] = static_cast<float>(std::clamp(value_[i], 0.0, 1.0));

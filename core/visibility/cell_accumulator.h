@@ -26,6 +26,9 @@ class CellAccumulator {
   /// the row's top in the coordinates of face.density_at. The polygon's y is within the row (0..1).
   void add_smooth(const std::vector<Vec2>& polygon, const EyeFace& face, double y_offset);
 
+  /// A run of a scan line, standing for a strip of the row of this height.
+  void add_run(const DensityRun& run, double height);
+
   std::span<const float> finish();
 
  private:

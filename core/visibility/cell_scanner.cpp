@@ -28,8 +28,30 @@ Vec2 middle_of(const std::vector<Vec2>& polygon) {
 
 }  // namespace
 
-CellScanner::CellScanner(const EyeTable& table)
-    : table_(table), active_(table), cells_(static_cast<int>(std::ceil(table.columns))) {}
+CellScanner::CellScanner(const EyeTable& table, double tolerance)
+    : table_(table),
+      active_(table),
+      cells_(static_cast<int>(std::ceil(table.columns))),
+      lines_(table, tolerance / 100),
+      tolerance_(tolerance) {}
+
+/// More than this many edges to a column, seen and hidden: then every column has borders in it that
+/// no slab tells apart at less than the price of all of them.
+constexpr double kCrowdedEdges = 6;
+
+bool CellScanner::crowded() const {
+  return static_cast<double>(clips_.size()) > kCrowdedEdges * table_.columns;
+}
+
+/// The middles of strips of the row; a border is off by at most half a strip.
+void CellScanner::average_lines(const std::vector<Index>& edges) {
+  const int n = std::clamp(static_cast<int>(std::ceil(0.5 / tolerance_)), 1, 64);
+  for (int i = 0; i < n; ++i) {
+    runs_.clear();
+    lines_.resolve(top_ + (i + 0.5) / n, edges, runs_);
+    for (const DensityRun& run : runs_) cells_.add_run(run, 1.0 / n);
+  }
+}
 
 double CellScanner::x_at(const Clip& clip, double y) const {
   if (y == clip.ya) return clip.xa;
@@ -37,27 +59,30 @@ double CellScanner::x_at(const Clip& clip, double y) const {
   return table_.edges[clip.edge].x_at(y + top_);
 }
 
+/// The part of an edge between two heights of the row; horizontal edges are added by gather().
+void CellScanner::add_clip(Index e, double ya, double yb) {
+  const ScanEdge& edge = table_.edges[e];
+  Clip c;
+  c.edge = e;
+  const double a = std::max(edge.y0, top_ + ya), b = std::min(edge.y1, top_ + yb);
+  c.ya = std::max(edge.y0 - top_, ya), c.yb = std::min(edge.y1 - top_, yb);
+  if (!(c.ya < c.yb)) return;
+  c.xa = edge.x_at(a), c.xb = edge.x_at(b);
+  c.low = std::min(c.xa, c.xb), c.high = std::max(c.xa, c.xb);
+  clips_.push_back(c);
+}
+
 void CellScanner::gather(const std::vector<Index>& edges, const std::vector<Index>& flat_edges) {
   clips_.clear();
   for (const Index e : edges) {
     const ScanEdge& edge = table_.edges[e];
-    if (edge.y1 <= top_ || edge.y0 >= top_ + 1) continue;
-    Clip c;
-    c.edge = e;
-    const double a = std::max(edge.y0, top_), b = std::min(edge.y1, top_ + 1);
-    c.ya = a - top_, c.yb = b - top_;
-    c.xa = edge.x_at(a), c.xb = edge.x_at(b);
-    c.low = std::min(c.xa, c.xb), c.high = std::max(c.xa, c.xb);
-    if (c.low < table_.columns) clips_.push_back(c);
+    if (edge.y1 > top_ && edge.y0 < top_ + 1) add_clip(e, 0, 1);
   }
   for (const Index e : flat_edges) {
     const FlatEdge& flat = table_.flat_edges[e];
-    if (flat.y > top_ && flat.y < top_ + 1)
-      clips_.push_back({flat.x0, flat.y - top_, flat.x1, flat.y - top_, flat.x0, flat.x1, kNone});
+    const double y = flat.y - top_;
+    if (y > 0 && y < 1) clips_.push_back({flat.x0, y, flat.x1, y, flat.x0, flat.x1, kNone});
   }
-  std::sort(clips_.begin(), clips_.end(), [](const Clip& a, const Clip& b) {
-    return a.low != b.low ? a.low < b.low : (a.high != b.high ? a.high < b.high : a.edge < b.edge);
-  });
 }
 
 std::span<const float> CellScanner::resolve(std::int64_t row, const std::vector<Index>& edges,
@@ -65,44 +90,98 @@ std::span<const float> CellScanner::resolve(std::int64_t row, const std::vector<
   top_ = static_cast<double>(row);
   gather(edges, flat_edges);
   cells_.clear();
-  double x = 0;
-  for (std::size_t first = 0; first < clips_.size();) {
-    double high = clips_[first].high;
-    std::size_t last = first + 1;
-    while (last < clips_.size() && clips_[last].low <= high)
-      high = std::max(high, clips_[last++].high);
-    const double low = clips_[first].low;
-    rectangle(x, std::min(low, table_.columns));
-    cluster(first, last, std::max(low, x), high);
-    x = std::max(x, high);
-    first = last;
+  if (crowded()) {
+    average_lines(edges);
+    return cells_.finish();
   }
-  rectangle(x, table_.columns);
+  double low = 0, high = table_.columns;
+  for (const Clip& c : clips_) low = std::min(low, c.low), high = std::max(high, c.high);
+  resolve_band({0, 1, 0}, 0, low, high);
   active_.clear();
   return cells_.finish();
 }
 
-void CellScanner::cluster(std::size_t first, std::size_t last, double low, double high) {
-  if (high <= 0 || low >= table_.columns) {
-    // Out of sight: only what it leaves active matters, the same at every height.
-    high = low;
+/// Everything between x = low and x = high, left to right, over the height of the band.
+void CellScanner::resolve_band(const Band& band, std::size_t first, double low, double high) {
+  std::sort(clips_.begin() + static_cast<std::ptrdiff_t>(first), clips_.end(),
+            [](const Clip& a, const Clip& b) {
+              return a.low != b.low ? a.low < b.low
+                                    : (a.high != b.high ? a.high < b.high : a.edge < b.edge);
+            });
+  const std::size_t end = clips_.size();
+  double x = low;
+  for (std::size_t i = first; i < end;) {
+    double right = clips_[i].high;
+    std::size_t last = i + 1;
+    while (last < end && clips_[last].low <= right) right = std::max(right, clips_[last++].high);
+    rectangle(band, x, std::min(clips_[i].low, high));
+    const double left = std::max(clips_[i].low, x);
+    cluster(band, i, last, left, std::min(right, high));
+    if (band.halvings == 0) cells_.settle(left, right);
+    x = std::max(x, right);
+    i = last;
   }
-  if (last - first == 1 && clips_[first].edge != kNone && clips_[first].ya == 0 &&
-      clips_[first].yb == 1) {
-    heights_ = {0, 1};
-  } else {
-    find_heights(first, last);
-  }
-  for (std::size_t i = 0; i + 1 < heights_.size(); ++i) {
-    slab(first, last, heights_[i], heights_[i + 1], low, high);
-    if (i + 2 < heights_.size())  // back to the state left of the cluster
-      for (const Side& side : sides_) active_.pass_back(table_.edges[side.edge]);
-  }
-  if (high > low) cells_.settle(low, high);
+  rectangle(band, x, high);
 }
 
-void CellScanner::find_heights(std::size_t first, std::size_t last) {
-  heights_ = {0, 1};
+void CellScanner::cluster(const Band& band, std::size_t first, std::size_t last, double low,
+                          double high) {
+  // A few edges are quicker cut into slabs than gathered again; and many that meet in a point never
+  // come apart.
+  constexpr std::size_t kFew = 6;
+  constexpr int kMostHalvings = 12;
+  if (high <= 0 || low >= table_.columns) {
+    // Out of sight: only what it leaves active matters, the same at every height.
+    for (std::size_t i = first; i < last; ++i)
+      if (clips_[i].edge != kNone && clips_[i].yb == band.yb)
+        active_.pass(table_.edges[clips_[i].edge]);
+    return;
+  }
+  const Clip& only = clips_[first];
+  if (last - first == 1 && only.edge != kNone && only.ya == band.ya && only.yb == band.yb) {
+    heights_ = {band.ya, band.yb};
+  } else if (last - first > kFew && band.halvings < kMostHalvings) {
+    halves(band, first, last, low, high);
+    return;
+  } else {
+    find_heights(band, first, last);
+  }
+  const std::vector<double> heights = heights_;
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    slab(first, last, heights[i], heights[i + 1], low, high);
+    if (i + 2 < heights.size())  // back to the state left of the cluster
+      for (const Side& side : sides_) active_.pass_back(table_.edges[side.edge]);
+  }
+}
+
+void CellScanner::halves(const Band& band, std::size_t first, std::size_t last, double low,
+                         double high) {
+  const double middle = band.ya + (band.yb - band.ya) / 2;
+  const std::size_t end = clips_.size();
+  for (const Band& half :
+       {Band{band.ya, middle, band.halvings + 1}, Band{middle, band.yb, band.halvings + 1}}) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Clip c = clips_[i];
+      if (c.edge != kNone) {
+        add_clip(c.edge, half.ya, half.yb);
+      } else if (c.ya > half.ya && c.ya < half.yb) {
+        clips_.push_back(c);
+      }
+    }
+    resolve_band(half, end, low, high);
+    clips_.resize(end);
+    if (half.ya != band.ya) break;
+    // Back to the state left of the cluster: what passes the middle has been passed once.
+    for (std::size_t i = first; i < last; ++i) {
+      const Clip& c = clips_[i];
+      if (c.edge != kNone && c.ya < middle && c.yb >= middle)
+        active_.pass_back(table_.edges[c.edge]);
+    }
+  }
+}
+
+void CellScanner::find_heights(const Band& band, std::size_t first, std::size_t last) {
+  heights_ = {band.ya, band.yb};
   for (std::size_t i = first; i < last; ++i) {
     const Clip& a = clips_[i];
     heights_.push_back(a.ya), heights_.push_back(a.yb);
@@ -143,15 +222,18 @@ void CellScanner::slab(std::size_t first, std::size_t last, double ya, double yb
   if (high > left.middle) trapezoid(left, {high, high, high, kNone}, ya, yb);
 }
 
-void CellScanner::rectangle(double x0, double x1) {
+void CellScanner::rectangle(const Band& band, double x0, double x1) {
   if (!(x0 < x1) || active_.faces().empty()) return;
+  if (band.halvings > 0) {
+    trapezoid({x0, x0, x0, kNone}, {x1, x1, x1, kNone}, band.ya, band.yb);
+    return;
+  }
   const std::vector<Vec2> corners{{x0, 0}, {x1, 0}, {x1, 1}, {x0, 1}};
-  const Index face =
-      active_.crossing() ? sole_owner(corners) : active_.seen_at((x0 + x1) / 2, top_ + 0.5);
-  if (face == kNone && active_.crossing()) {
+  const bool crossing = active_.crossing();
+  const Index face = crossing ? sole_owner(corners) : active_.seen_at((x0 + x1) / 2, top_ + 0.5);
+  if (face == kNone && crossing) {
     share(corners);
     cells_.settle(x0, x1);
-    return;
   }
   if (face == kNone) return;
   const bool shadowed = active_.shadowed(face);

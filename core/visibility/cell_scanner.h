@@ -6,27 +6,36 @@
 //
 // Steps, for the band of one row:
 //  1. Edges that meet the band, horizontal ones too, are gathered into clusters that overlap in x.
-//  Between two clusters nothing
-//     begins, ends or crosses within the band: a rectangle with one set of active faces.
-//  2. In a cluster, the heights at which an edge begins or ends or two edges cross cut the band
-//  into slabs. In a slab the
-//     edges stand side by side, trapezoids between them, each with one set of active faces.
-//  3. A trapezoid (or rectangle) belongs to one face; where bodies cross it is cut along the lines
-//  of equal depth, each
-//     face keeping the convex part where it is nearest.
-//  4. The parts are added with their exact areas.
+//     Between two clusters nothing begins, ends or crosses within the band: a rectangle with one
+//     set of active faces.
+//  2. A cluster of one edge is that edge's two sides. A crowded cluster is halved in height, and
+//     each half gathered anew: lower bands make narrower clusters, so that edges are looked at
+//     again only near to where something happens.
+//  3. In a small cluster, the heights at which an edge begins or ends or two edges cross cut the
+//  band
+//     into slabs. In a slab the edges stand side by side, trapezoids between them, each with one
+//     set of active faces.
+//  4. A trapezoid (or rectangle) belongs to one face; where bodies cross it is cut along the lines
+//  of
+//     equal depth, each face keeping the convex part where it is nearest.
+//  5. The parts are added with their exact areas.
+//
+// A row so crowded that its borders are nearer to one another than `tolerance` everywhere is
+// averaged over scan lines `2 tolerance` apart instead: the same promise at a cost that does not
+// grow with what is hidden.
 #include <vector>
 
 #include "core/visibility/active_faces.h"
 #include "core/visibility/cell_accumulator.h"
 #include "core/visibility/eye_table.h"
+#include "core/visibility/scan_line.h"
 
 namespace overstrike {
 
 /// Resolves rows of one picture, in any order. One a thread.
 class CellScanner {
  public:
-  explicit CellScanner(const EyeTable& table);
+  CellScanner(const EyeTable& table, double tolerance);
 
   /// The row's cells; valid until the next call. `edges`, `flat_edges`: at least those that meet
   /// [row, row + 1].
@@ -44,11 +53,21 @@ class CellScanner {
     double xa, xb, middle;
     Index edge;
   };
+  /// Clips of a band lie in clips_[first, end).
+  struct Band {
+    double ya, yb;
+    int halvings;
+  };
   void gather(const std::vector<Index>& edges, const std::vector<Index>& flat_edges);
-  void cluster(std::size_t first, std::size_t last, double low, double high);
-  void find_heights(std::size_t first, std::size_t last);
+  void add_clip(Index edge, double ya, double yb);
+  bool crowded() const;
+  void average_lines(const std::vector<Index>& edges);
+  void resolve_band(const Band& band, std::size_t first, double low, double high);
+  void cluster(const Band& band, std::size_t first, std::size_t last, double low, double high);
+  void halves(const Band& band, std::size_t first, std::size_t last, double low, double high);
+  void find_heights(const Band& band, std::size_t first, std::size_t last);
   void slab(std::size_t first, std::size_t last, double ya, double yb, double low, double high);
-  void rectangle(double x0, double x1);
+  void rectangle(const Band& band, double x0, double x1);
   void trapezoid(const Side& left, const Side& right, double ya, double yb);
   void part(const std::vector<Vec2>& polygon, Index face);
   void share(const std::vector<Vec2>& polygon);
@@ -58,6 +77,9 @@ class CellScanner {
   const EyeTable& table_;
   ActiveFaces active_;
   CellAccumulator cells_;
+  LineScanner lines_;
+  double tolerance_;
+  std::vector<DensityRun> runs_;
   double top_ = 0;
   std::vector<Clip> clips_;
   std::vector<double> heights_;
