@@ -7,15 +7,13 @@
 #include "devices/line_printer/line_printer.h"
 #include "devices/null/null.h"
 #include "devices/plotter/plotter.h"
+#include "devices/terminal/terminal.h"
 
 namespace overstrike {
 
 const std::vector<DeviceKind>& device_kinds() {
   static const std::vector<DeviceKind> kinds = {
-      image_device(),
-      line_printer_kind(),
-      null_device(),
-      plotter_kind(),
+      image_device(), line_printer_kind(), null_device(), plotter_kind(), terminal_device(),
   };
   return kinds;
 }
