@@ -4,13 +4,14 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/geometry/trig.h"
 
 namespace overstrike {
 namespace {
 
-/// Rounding moves an end by at most half a unit in x and in y: two neighbours part by at most this.
-constexpr double kRoundingSlack = std::numbers::sqrt2;
+/// Rounding moves a line by at most half a unit (HatchLine): two neighbours part by at most this.
+constexpr double kRoundingSlack = 1;
 /// Parts closer than a plotter unit, the least that the plotter can draw, touch.
 constexpr double kTouching = 1;
 
@@ -56,6 +57,20 @@ ScanFamily hatch_family(const Hatching& hatching, int level) {
   const double even = hatching.pen_width / level_density(hatching, level);
   const double spacing = level == hatching.levels - 1 ? std::max(even - kRoundingSlack, 1.0) : even;
   return {hatching.angle_deg, spacing, spacing / 2};
+}
+
+HatchLine::HatchLine(const ScanFamily& family, std::int64_t index)
+    : along_(cos_deg(family.angle_deg), sin_deg(family.angle_deg)),
+      foot_(Vec2{-along_.y, along_.x} * (family.offset + double(index) * family.spacing)) {}
+
+Vec2 HatchLine::nearest_unit(double x) const {
+  const Vec2 p = glm::floor(foot_ + along_ * x + 0.5);
+  if (std::abs(along_.x) >= std::abs(along_.y)) {
+    const double y = foot_.y + (p.x - foot_.x) * (along_.y / along_.x);
+    return {p.x, std::floor(y + 0.5)};
+  }
+  const double across = foot_.x + (p.y - foot_.y) * (along_.x / along_.y);
+  return {std::floor(across + 0.5), p.y};
 }
 
 void hatch_pieces(const Hatching& hatching, int level, std::span<const DensityRun> runs,

@@ -1,6 +1,7 @@
 #pragma once
 // Tone by parallel lines: each level of tone has its own family of scan lines, and draws the parts
 // of the runs on them whose density is nearest to it (docs/plotter.md).
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,19 @@ int nearest_level(const Hatching&, double density);
 /// The lines of a level: spacing = pen width / density, so that ink covers that part of the paper.
 /// The solid level's lie closer by what rounding to plotter units can pull two neighbours apart.
 ScanFamily hatch_family(const Hatching&, int level);
+
+/// One scan line of a family, for ends of ink in plotter units (whole grid coordinates).
+class HatchLine {
+ public:
+  HatchLine(const ScanFamily& family, std::int64_t index);
+  /// The whole coordinates nearest to the line (within half a unit in y, or in x for a steep line)
+  /// among those within half a unit of position `x` in the other coordinate. So both ends of a
+  /// piece stray to the same side, and the pieces of one line lie in one line at 0, 45, 90 degrees.
+  Vec2 nearest_unit(double x) const;
+
+ private:
+  Vec2 along_, foot_;
+};
 
 /// A line of ink between two positions along a scan line.
 struct HatchPiece {

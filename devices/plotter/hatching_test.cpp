@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
+
+#include "core/geometry/trig.h"
 
 namespace overstrike {
 namespace {
@@ -36,9 +40,31 @@ TEST(Hatching, SpacingIsPenWidthOverDensity) {
     EXPECT_DOUBLE_EQ(hatch_family(kTen, level).spacing * level / 9, 12) << level;
   }
   const ScanFamily solid = hatch_family(kTen, 9);
-  EXPECT_LT(solid.spacing, 12 - 1.41);
-  EXPECT_GT(solid.spacing, 12 - 1.42);
+  EXPECT_EQ(solid.spacing, 12 - 1);  // rounding parts two lines by a unit at most
   EXPECT_EQ(solid.offset, solid.spacing / 2);
+}
+
+TEST(Hatching, EndsAreWholeUnitsWithinHalfAUnitOfTheLine) {
+  std::mt19937_64 random(45);
+  std::uniform_real_distribution<double> angle(-180, 180), at(0, 10000);
+  for (int i = 0; i < 5000; ++i) {
+    const double degrees = i % 3 ? angle(random) : -45;
+    const ScanFamily family{degrees, 13.57, 6.8};
+    const std::int64_t index = static_cast<std::int64_t>(at(random) / 20);
+    const HatchLine line(family, index);
+    const double c = cos_deg(degrees), s = sin_deg(degrees), x = at(random);
+    const auto off_line = [&](Vec2 p) {
+      return -s * p.x + c * p.y - (family.offset + double(index) * family.spacing);
+    };
+    const Vec2 p = line.nearest_unit(x), q = line.nearest_unit(x + 500);
+    EXPECT_EQ(p, glm::floor(p));
+    // Half a unit across the gentler coordinate; coordinates below 2e4 round by less than 1e-11.
+    EXPECT_LE(std::abs(off_line(p)), 0.5 * std::max(std::abs(c), std::abs(s)) + 1e-11);
+    EXPECT_LE(std::abs(c * p.x + s * p.y - x), std::numbers::sqrt2);
+    if (degrees == -45) {
+      EXPECT_NEAR(off_line(p), off_line(q), 1e-11);
+    }
+  }
 }
 
 TEST(Hatching, PiecesOfALevel) {

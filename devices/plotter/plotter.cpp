@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/geometry/trig.h"
 #include "devices/data_files.h"
 #include "devices/plotter/clip.h"
 #include "devices/plotter/hatching.h"
@@ -47,6 +46,9 @@ class Plotter final : public Device {
   std::vector<Diagnostic> warnings() const override;
 
  private:
+  Vec2 size() const { return {options_.high.x - options_.low.x, options_.high.y - options_.low.y}; }
+  /// The plotter unit nearest to a place in the grid; the border's for one outside.
+  PlotPoint point_of(Vec2 p) const;
   /// Cuts a polyline in grid coordinates at the grid's border and rounds it to plotter units.
   void place_on_sheet(std::span<const Vec2> points, std::vector<PlotLine>& lines);
   int pen_of(const Stroke& stroke) const;
@@ -76,17 +78,18 @@ void Plotter::begin() {
   if (options_.speed_cm_s) writer_.speed(*options_.speed_cm_s);
 }
 
+PlotPoint Plotter::point_of(Vec2 p) const {
+  const Vec2 cell = glm::clamp(glm::floor(p + 0.5), Vec2{0}, size());
+  return {options_.low.x + static_cast<int>(cell.x), options_.high.y - static_cast<int>(cell.y)};
+}
+
 void Plotter::place_on_sheet(std::span<const Vec2> points, std::vector<PlotLine>& lines) {
-  const Vec2 size{options_.high.x - options_.low.x, options_.high.y - options_.low.y};
   // What rounds onto the border is not cut.
-  const Rectangle sheet{Vec2{-0.5}, size + 0.5};
+  const Rectangle sheet{Vec2{-0.5}, size() + 0.5};
   cut_ += clip_polyline(points, sheet, [&](std::span<const Vec2> part) {
     PlotLine line;
     for (const Vec2& p : part) {
-      const Vec2 cell = glm::clamp(glm::floor(p + 0.5), Vec2{0}, size);
-      const PlotPoint q{options_.low.x + static_cast<int>(cell.x),
-                        options_.high.y - static_cast<int>(cell.y)};
-      if (line.empty() || q != line.back()) line.push_back(q);
+      if (const PlotPoint q = point_of(p); line.empty() || q != line.back()) line.push_back(q);
     }
     lines.push_back(std::move(line));
   });
@@ -116,20 +119,14 @@ void Plotter::hatch(std::size_t family, const RunRow& row) {
   const int level = static_cast<int>(family) + 1;
   hatch_pieces(options_.hatching, level, row.runs, pieces_);
   if (pieces_.empty()) return;
-  const ScanFamily lines = hatch_family(options_.hatching, level);
-  const double c = cos_deg(lines.angle_deg), s = sin_deg(lines.angle_deg);
-  const Vec2 along{c, s};
-  const Vec2 foot = Vec2{-s, c} * (lines.offset + double(row.index) * lines.spacing);
+  const HatchLine line(hatch_family(options_.hatching, level), row.index);
   if (backwards_) std::reverse(pieces_.begin(), pieces_.end());
-  std::vector<PlotLine> drawn;
+  writer_.select_pen(options_.hatch_pen);
   for (HatchPiece piece : pieces_) {
     if (backwards_) std::swap(piece.x0, piece.x1);
-    const Vec2 ends[] = {foot + along * piece.x0, foot + along * piece.x1};
-    place_on_sheet(ends, drawn);
-  }
-  for (const PlotLine& line : drawn) {
-    writer_.select_pen(options_.hatch_pen);
-    writer_.polyline(line);
+    const PlotPoint ends[] = {point_of(line.nearest_unit(piece.x0)),
+                              point_of(line.nearest_unit(piece.x1))};
+    writer_.polyline(ends);
   }
   backwards_ = !backwards_;
 }
