@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 
 namespace overstrike {
 namespace {
@@ -30,6 +32,21 @@ TEST(Null, CountsWhatItGets) {
             "strokes 2 of 5 points\n"
             "lines 2 of 3 runs\n"
             "rows 2 of 8 cells, 4 inked\n");
+}
+
+std::string read(const std::string& path) {
+  std::ifstream in(std::string(OVERSTRIKE_SOURCE_DIR "/").append(path));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Null, IsWhatThePageShows) {
+  const std::string page = read("docs/add-a-device.md");
+  for (const char* path : {"devices/null/null.h", "devices/null/null.cpp"}) {
+    const std::string code = read(path);
+    ASSERT_FALSE(code.empty());
+    EXPECT_NE(page.find(std::string("```cpp\n").append(code).append("```\n")), std::string::npos)
+        << path << " has changed: copy it into docs/add-a-device.md";
+  }
 }
 
 TEST(Null, IsInTheRegistry) {
