@@ -7,7 +7,7 @@ namespace overstrike::emulator {
 
 void check(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(std::string("the sheet cannot be drawn: ") + cairo_status_to_string(status));
+    throw OutputError(std::string("the sheet cannot be drawn: ") + cairo_status_to_string(status));
   }
 }
 

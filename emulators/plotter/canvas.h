@@ -17,7 +17,7 @@ struct FreeCairo {
 using Surface = std::unique_ptr<cairo_surface_t, FreeCairo>;
 using Context = std::unique_ptr<cairo_t, FreeCairo>;
 
-/// Throws Error with Cairo's message unless all is well.
+/// Throws OutputError with Cairo's message unless all is well.
 void check(cairo_status_t status);
 
 /// A context whose units are the machine's: plotter units from its origin, y up, on a surface with
