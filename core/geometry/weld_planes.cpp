@@ -69,26 +69,36 @@ class Welder {
       class_[i] = slack_[i] > 0 ? std::ilogb(slack_[i]) >> 2 : -1000;
       if (tilt_[i] <= kSliverTilt) classes_.try_emplace(class_[i], n);
     }
-    by_rank_.resize(n), rank_.resize(n);
-    std::iota(by_rank_.begin(), by_rank_.end(), Index{0});
-    std::sort(by_rank_.begin(), by_rank_.end(), [&](Index a, Index b) {
-      return distance_[a] != distance_[b] ? distance_[a] < distance_[b] : a < b;
-    });
-    for (std::size_t r = 0; r < n; ++r) rank_[by_rank_[r]] = static_cast<Index>(r);
+    std::vector<std::pair<double, Index>> order(n);
+    for (std::size_t i = 0; i < n; ++i) order[i] = {distance_[i], static_cast<Index>(i)};
+    std::sort(order.begin(), order.end());
+    by_rank_.resize(n), rank_.resize(n), near_.resize(n);
+    for (std::size_t r = 0; r < n; ++r) {
+      by_rank_[r] = order[r].second;
+      near_[r] = {order[r].first, slack_[order[r].second]};
+      rank_[order[r].second] = static_cast<Index>(r);
+    }
   }
 
+  /// The largest first; ties by geometry, which the sort seldom has to fetch.
   std::vector<Index> by_area() const {
-    std::vector<Index> order(samples_.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    const auto rest = [&](Index i) {
-      const PlaneFit& f = samples_[i].fit;
-      return std::tuple(distance_[i], f.middle.x, f.middle.y, f.middle.z, f.normal.x, f.normal.y,
-                        f.normal.z);
+    struct Key {
+      double area, distance;
+      Index sample;
     };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      const double area_a = samples_[a].fit.area, area_b = samples_[b].fit.area;
-      return area_a != area_b ? area_a > area_b : rest(a) < rest(b);
+    std::vector<Key> keys(samples_.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      keys[i] = {samples_[i].fit.area, distance_[i], static_cast<Index>(i)};
+    const auto rest = [&](const Key& k) {
+      const PlaneFit& f = samples_[k.sample].fit;
+      return std::tuple(f.middle.x, f.middle.y, f.middle.z, f.normal.x, f.normal.y, f.normal.z);
+    };
+    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+      if (a.area != b.area) return a.area > b.area;
+      return a.distance != b.distance ? a.distance < b.distance : rest(a) < rest(b);
     });
+    std::vector<Index> order(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].sample;
     return order;
   }
 
@@ -120,22 +130,23 @@ class Welder {
   /// The group of the largest representative that it speaks for.
   Index search(Index sample) const {
     Index best = kNoGroup;
-    const auto consider = [&](Index representative) {
-      if (!matches(sample, representative)) return;
-      best = std::min(best, group_[representative]);
+    const auto consider = [&](std::size_t r) {
+      if (std::fabs(distance_[sample] - near_[r].distance) > slack_[sample] + near_[r].slack)
+        return;
+      if (matches(sample, by_rank_[r])) best = std::min(best, group_[by_rank_[r]]);
     };
     for (const auto& [exponent, members] : classes_) {
       const double reach = slack_[sample] + std::ldexp(1.0, 4 * (exponent + 1));
       for (std::size_t r = members.up(rank_[sample]); r != RankSet::kNothing;
            r = members.up(r + 1)) {
-        if (distance_[by_rank_[r]] - distance_[sample] > reach) break;
-        consider(by_rank_[r]);
+        if (near_[r].distance - distance_[sample] > reach) break;
+        consider(r);
         if (r + 1 == by_rank_.size()) break;
       }
       for (std::size_t r = members.down(rank_[sample]); r != RankSet::kNothing;
            r = members.down(r - 1)) {
-        if (distance_[sample] - distance_[by_rank_[r]] > reach) break;
-        consider(by_rank_[r]);
+        if (distance_[sample] - near_[r].distance > reach) break;
+        consider(r);
         if (r == 0) break;
       }
     }
@@ -171,6 +182,10 @@ class Welder {
   std::vector<int> class_;   ///< slack_'s magnitude, in powers of 16
   std::vector<Index> rank_;  ///< by distance
   std::vector<Index> by_rank_;
+  struct Near {
+    double distance, slack;
+  };
+  std::vector<Near> near_;          ///< by rank, side by side for the search
   std::map<int, RankSet> classes_;  ///< the ranks of representatives, by class
   std::vector<Index> group_;
   std::vector<Index> representative_;
