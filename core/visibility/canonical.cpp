@@ -87,6 +87,17 @@ Plane upright(const PlaneFit& fit) {
   return {fit.normal, fit.offset};
 }
 
+/// A map that presses space to less than this part of its own size in some direction leaves faces
+/// across it without a direction that 53 bits could tell; the same where squares of areas would
+/// fall out of the range of a double.
+constexpr double kFlattened = 0x1p-40;
+constexpr double kSmallestStretch = 0x1p-200;
+bool is_flattened(const Mat3& a) {
+  const double size = stretch(a);
+  return !(std::fabs(glm::determinant(a)) > kFlattened * size * size * size) ||
+         size < kSmallestStretch;
+}
+
 bool finite(const Affine& a) {
   const Vec3 sum = a.linear[0] + a.linear[1] + a.linear[2] + a.offset;
   return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
@@ -133,6 +144,20 @@ class Assembler {
     if (!finite(body.placement)) return warn(body, "its place is not finite: not drawn");
     const PreparedShape& shape = prepared(body);
     for (const std::string& flaw : shape.flaws) warn(body, flaw);
+    if (!is_flattened(body.placement.linear)) return add_placed(source, body, shape);
+    // Faces may have lost their area, so that the repairs must see them in their place.
+    Mesh flat{shape.polyhedron, {}, {}, shape.precision};
+    flat.polyhedron.corner_normals.clear();
+    for (Vec3& p : flat.polyhedron.vertices) p = body.placement(p);
+    Body placed = body;
+    placed.placement = {};
+    for (Pattern& pattern : placed.patterns)
+      for (Vec3& p : pattern.points) p = body.placement(p);
+    if (!std::holds_alternative<FlatPolygon>(*body.shape)) warn(body, "flattened by its place");
+    add_placed(source, placed, prepare_shape(Shape(flat), 1, false));
+  }
+
+  void add_placed(Index source, const Body& body, const PreparedShape& shape) {
     const bool mirrored = glm::determinant(body.placement.linear) < 0;
     CanonicalBody result{};
     result.first_face = static_cast<Index>(out_.faces.size());

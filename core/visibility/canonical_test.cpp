@@ -224,6 +224,21 @@ TEST(Canonical, WarningsNameTheBodyAndItsPlace) {
   EXPECT_TRUE(canon(scene).warnings.empty());
 }
 
+TEST(Canonical, FlattenedBodiesKeepTheFacesThatHaveAnArea) {
+  Scene scene;
+  Mat3 press(1.0);
+  press[2][2] = 0;
+  scene.bodies.push_back(body(shape(Box{}), {press, {0, 0, 1}}));
+  const Canon result = canon(scene);
+  EXPECT_EQ(result.canonical.faces.size(), 2u);
+  EXPECT_EQ(result.canonical.planes.size(), 1u);
+  EXPECT_EQ(result.canonical.planes[0].offset, 1);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_EQ(result.warnings[0], "warning: box: flattened by its place");
+  scene.bodies[0].placement.linear = Mat3(0.0);
+  EXPECT_EQ(canon(scene).canonical.faces.size(), 0u);
+}
+
 TEST(Canonical, PatternsAndSegmentsArePlaced) {
   Scene scene;
   scene.bodies.push_back(body(shape(Box{}), {Mat3(2.0), {1, 0, 0}}));
