@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -127,6 +130,61 @@ TEST(SceneErrors, AHundredThousandUnknownKeysAreNoHardship) {
   std::string text = "bodies:\n  - box: 1\n";
   for (int i = 0; i < 100000; ++i) text += fmt::format("    key{}: 1\n", i);
   EXPECT_THAT(errors_of(text), testing::HasSubstr("and 99800 more errors"));
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The text with a few bytes changed, left out, doubled, or cut off behind one.
+std::string damaged(std::string text, std::mt19937& random) {
+  constexpr std::string_view kBytes = "[]{}:,-&*!|>'\"#%@?~\n\t 0123456789.eE+<\xC3\xFF";
+  for (auto slips = 1 + random() % 4; slips > 0 && !text.empty(); --slips) {
+    const std::size_t at = random() % text.size();
+    const std::size_t length = 1 + random() % 20;
+    switch (random() % 5) {
+      case 0:
+        text[at] = kBytes[random() % kBytes.size()];
+        break;
+      case 1:
+        text.insert(at, 1, kBytes[random() % kBytes.size()]);
+        break;
+      case 2:
+        text.erase(at, length);
+        break;
+      case 3:
+        text.insert(random() % text.size(), text.substr(at, length));
+        break;
+      default:
+        if (random() % 8 == 0) text.resize(at);
+    }
+  }
+  return text;
+}
+
+TEST(SceneErrors, DamagedScenesAreReadOrRefused) {
+  std::mt19937 random(20);
+  int read = 0, refused = 0;
+  std::vector<std::string> scenes;
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(OVERSTRIKE_SOURCE_DIR "/scenes"))
+    if (file.path().extension() == ".yaml") files.push_back(file.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) scenes.push_back(content(file));
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = damaged(scenes[random() % scenes.size()], random);
+    try {
+      read_scene_text(text, "yaml", "s.yaml", "nowhere");
+      ++read;
+    } catch (const InputError& e) {
+      ASSERT_FALSE(e.diagnostics().empty());
+      for (const Diagnostic& d : e.diagnostics()) EXPECT_FALSE(d.message.empty()) << text;
+      ++refused;
+    }  // anything else ends the test
+  }
+  EXPECT_GT(read, 100);
+  EXPECT_GT(refused, 100);
 }
 
 }  // namespace
