@@ -1,5 +1,6 @@
 #include "core/in_order.h"
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -28,6 +29,11 @@ void in_order(std::size_t count, int threads, std::size_t slots,
   }
   // Two halves of the slots in turn: one is computed while the other is consumed. The caller counts
   // as a thread.
+  // More threads than processors are as asked; without the limit raised, TBB complains on stderr.
+  using oneapi::tbb::global_control;
+  const global_control allowed(
+      global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(std::max(threads_of(threads), threads_of(0))));
   oneapi::tbb::task_arena arena(threads_of(threads), 1);
   oneapi::tbb::task_group group;
   const auto start = [&](std::size_t batch) {
