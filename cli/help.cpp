@@ -21,7 +21,7 @@ constexpr OptionHelp kOptions[] = {
     {"--format", "FORMAT", "format of standard input: yaml, stl, ... (default yaml)", kOutput},
     {"--size", "COLSxROWS", "size in cells", kSettings},
     {"--cpi", "N", "line printer: characters to the inch", kSettings},
-    {"--lpi", "N", "line printer: lines to the inch, 6 or 8", kSettings},
+    {"--lpi", "N", "line printer: lines to the inch", kSettings},
     {"--levels", "N", "levels of tone", kSettings},
     {"--strikes", "N", "line printer: most strikes on one place", kSettings},
     {"--stream", "cr|asa|plain", "line printer: how overstrikes are written", kSettings},
@@ -42,17 +42,17 @@ constexpr OptionHelp kOptions[] = {
     {"--no-ground", "", "no ground", kLight},
     {"--density", "K,HMAX", "the density law H = HMAX (1 - K cos a) (default 0.8,1)", kLight},
     {"--method", "NAME", "auto, line or nn74 (default auto)", kDrawing},
-    {"--tolerance", "T",
-     "error allowed to curved outlines and averages, in cells (default: the device's)", kDrawing},
+    {"--tolerance", "T", "error of curved outlines and averages, in cells (default: the device's)",
+     kDrawing},
     {"--threads", "N", "threads, 0 for all processors (default 0); the bytes are the same",
      kDrawing},
     {"--timings", "",
-     "say on standard error what took how long; --timings=json as one line of JSON", kDrawing},
+     "say on standard error what took how long; --timings=json: as one line of JSON", kDrawing},
     {"-v,--verbose", "", "say on standard error what was drawn and how to see it", kDrawing},
 };
 
 constexpr SubcommandHelp kSubcommands[] = {
-    {"render", "Draw a scene on a device.",
+    {"render", "render SCENE [-o FILE] [-d DEVICE] [OPTIONS]", "Draw a scene on a device.",
      R"(Options override what the scene says. Without -o and -d the picture goes to the terminal.
 
 Examples:
@@ -63,17 +63,19 @@ Examples:
   generate | overstrike render - --format yaml -d line-printer -o - | lpr
 
 Exit status: 0 done, 1 the work failed, 2 bad usage or a bad scene, 130 interrupted.)"},
-    {"emulate", "Draw what a machine would put on paper.",
+    {"emulate", "emulate line-printer|plotter FILE -o SHEET [OPTIONS]",
+     "Draw what a machine would put on paper.",
      R"(Examples:
   overstrike emulate line-printer page.txt -o page.png --lpi 8
   overstrike emulate plotter sheet.hpgl -o sheet.pdf)"},
-    {"check", "Read a scene, name everything that is wrong with it, and say what is in it.",
+    {"check", "check SCENE [--format FORMAT]",
+     "Read a scene, name everything that is wrong with it, and say what is in it.",
      R"(Examples:
   overstrike check scene.yaml
   overstrike check - --format stl < part.stl
 
 Exit status: 0 the scene can be drawn, 2 it cannot.)"},
-    {"devices", "List the devices, or the settings of one.",
+    {"devices", "devices [NAME]", "List the devices, or the settings of one.",
      R"(Examples:
   overstrike devices
   overstrike devices line-printer)"},

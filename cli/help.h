@@ -13,6 +13,7 @@ struct OptionHelp {
 
 struct SubcommandHelp {
   std::string_view name;
+  std::string_view usage;  ///< what follows the program's name
   std::string_view summary;
   std::string_view footer;  ///< examples
 };

@@ -18,6 +18,16 @@ namespace {
 constexpr std::string_view kDeviceSettings[] = {"size",   "cpi",     "lpi",
                                                 "levels", "strikes", "stream"};
 
+/// Options that are settings of an emulated machine.
+constexpr OptionHelp kMachineSettings[] = {
+    {"--lpi", "N", "line printer: lines to the inch (default 6)", "Options"},
+    {"--cpi", "N", "line printer: characters to the inch (default 10)", "Options"},
+    {"--stream", "cr|asa|plain", "line printer: how overstrikes are written (default cr)",
+     "Options"},
+    {"--paper", "NAME", "plotter: A4, A3, A or B (default A4)", "Options"},
+    {"--dpi", "N", "of a PNG (default: line printer 144, plotter 100)", "Options"},
+};
+
 /// Everything the parser fills, still text.
 struct Words {
   RenderCommand render;
@@ -27,7 +37,7 @@ struct Words {
   SceneChangeTexts changes;
   std::vector<std::string> named = std::vector<std::string>(std::size(kDeviceSettings));
   std::vector<std::string> render_sets, emulate_sets;
-  std::string emulate_lpi;
+  std::vector<std::string> machine = std::vector<std::string>(std::size(kMachineSettings));
   std::string method, tolerance, threads, timings;
 };
 
@@ -53,9 +63,37 @@ void set_option(CLI::App* app, std::vector<std::string>& sets) {
       ->allow_extra_args(false);
 }
 
+/// Help as we like it: usage lines of our own, one blank line between groups.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(std::string_view usage) : usage_(usage) {
+    label("Positionals", "What");
+    column_width(28);
+  }
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode mode) const override {
+    std::string text = make_description(app) + "\nusage: overstrike " + usage_ + "\n";
+    text += make_positionals(app);
+    for (const std::string& group : app->get_groups()) {
+      const auto options = app->get_options([&](const CLI::Option* option) {
+        return option->get_group() == group && option->nonpositional();
+      });
+      if (!group.empty() && !options.empty()) text += make_group(group, false, options);
+    }
+    return text + make_subcommands(app, mode) + "\n" + make_footer(app);
+  }
+  std::string make_option_name(const CLI::Option* option, bool positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, positional);
+    return name.substr(0, name.find('{'));  // the value that CLI11 gives a flag without one
+  }
+
+ private:
+  std::string usage_;
+};
+
 CLI::App* subcommand(CLI::App& app, std::string_view name) {
   const SubcommandHelp& help = subcommand_help(name);
   CLI::App* sub = app.add_subcommand(std::string(name), std::string(help.summary));
+  sub->formatter(std::make_shared<HelpFormatter>(help.usage));
   sub->footer(std::string(help.footer));
   sub->allow_extras();
   sub->set_help_flag("-h,--help", "this text");
@@ -98,7 +136,7 @@ void add_render(CLI::App& app, Words& w) {
   text_option(sub, option_help("--tolerance"), w.tolerance);
   text_option(sub, option_help("--threads"), w.threads);
   sub->add_flag("--timings{text}", w.timings, std::string(option_help("--timings").meaning))
-      ->group("Drawing");
+      ->group(std::string(option_help("--timings").group));
   flag(sub, option_help("-v,--verbose"), w.render.verbose);
 }
 
@@ -106,10 +144,11 @@ void add_emulate(CLI::App& app, Words& w) {
   CLI::App* sub = subcommand(app, "emulate");
   add_positional(sub, "MACHINE", "line-printer or plotter", w.emulate.machine);
   add_positional(sub, "FILE", "what the machine is sent, or - for standard input", w.emulate.input);
-  text_option(sub, {"-o,--output", "FILE", "the sheet: .png or .pdf", "Options"}, w.emulate.output);
-  text_option(sub, {"--lpi", "N", "lines to the inch of the line printer (default 6)", "Options"},
-              w.emulate_lpi);
-  sub->add_option("--set", w.emulate_sets, "a setting of the machine")
+  text_option(sub, {"-o,--output", "FILE", "the sheet: .png, .pdf or (plotter) .svg", "Options"},
+              w.emulate.output);
+  for (std::size_t i = 0; i < std::size(kMachineSettings); ++i)
+    text_option(sub, kMachineSettings[i], w.machine[i]);
+  sub->add_option("--set", w.emulate_sets, "one more setting of the machine")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
 }
@@ -217,7 +256,10 @@ Command emulate_command(Words& w) {
   need(w.emulate.machine, "MACHINE (line-printer or plotter)");
   need(w.emulate.input, "FILE");
   need(w.emulate.output, "-o FILE");
-  if (!w.emulate_lpi.empty()) w.emulate.settings.emplace_back("lpi", w.emulate_lpi);
+  for (std::size_t i = 0; i < w.machine.size(); ++i) {
+    if (!w.machine[i].empty())
+      w.emulate.settings.emplace_back(kMachineSettings[i].names.substr(2), w.machine[i]);
+  }
   for (const std::string& set : w.emulate_sets) w.emulate.settings.push_back(split_setting(set));
   return w.emulate;
 }
@@ -254,6 +296,7 @@ Command parse_command_line(std::span<const std::string> words) {
   refuse_empty_values(words);
   Words w;
   CLI::App app(std::string(kProgramSummary), "overstrike");
+  app.formatter(std::make_shared<HelpFormatter>("SUBCOMMAND ..."));
   app.footer(std::string(kProgramFooter));
   app.allow_extras();
   app.set_help_flag("-h,--help", "this text");

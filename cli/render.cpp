@@ -40,8 +40,13 @@ std::string emulate_command(const DeviceChoice& choice, const Settings& settings
   if (choice.output == "-" || (name != "line-printer" && name != "plotter")) return {};
   std::string command =
       fmt::format("overstrike emulate {} {} -o {}", name, choice.output, sheet_name(choice.output));
-  const std::string lpi = setting_value(*choice.kind, settings, "lpi");
-  if (!lpi.empty() && lpi != "6") command += " --lpi " + lpi;
+  // What the emulated machines assume unless told.
+  for (const auto& [setting, usual] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"lpi", "6"}, {"cpi", "10"}, {"stream", "cr"}, {"paper", "A4"}}) {
+    std::string value = setting_value(*choice.kind, settings, setting);
+    if (setting == "stream" && choice.output.ends_with(".asa")) value = "asa";
+    if (!value.empty() && value != usual) command += fmt::format(" --{} {}", setting, value);
+  }
   return command;
 }
 
