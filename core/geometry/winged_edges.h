@@ -14,9 +14,9 @@ struct EdgePair {
   Index left, right;
 };
 
-/// Every edge of every loop once, in order of its lower and its higher vertex. Edges of more than
-/// two faces give several pairs, each of two faces that have solid between them (paired by angle
-/// round the edge); what finds no partner of the other direction becomes a border.
+/// Every edge of every loop once, in order of its lower and its higher vertex. An edge of more than
+/// two faces gives several pairs, each of one face of either direction, in the order of the faces;
+/// what finds no partner becomes a border.
 std::vector<EdgePair> pair_edges(const Polyhedron& polyhedron);
 
 }  // namespace overstrike
