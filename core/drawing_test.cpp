@@ -1,0 +1,252 @@
+#include "core/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/visibility/test_scenes.h"
+
+namespace overstrike {
+namespace {
+
+using testing::add;
+using testing::crowd;
+using testing::look_down;
+using testing::square_grid;
+
+std::vector<std::vector<float>> cells_of(const Scene& scene, const Grid& grid,
+                                         const DrawOptions& options = {}) {
+  std::vector<std::vector<float>> rows;
+  Drawing(scene, grid, options).cells([&](const CellRow& row) {
+    EXPECT_EQ(row.row, static_cast<std::int64_t>(rows.size()));
+    rows.emplace_back(row.density.begin(), row.density.end());
+  });
+  return rows;
+}
+
+std::vector<std::vector<DensityRun>> runs_of(const Scene& scene, const Grid& grid,
+                                             const ScanFamily& family,
+                                             const DrawOptions& options = {}) {
+  std::vector<std::vector<DensityRun>> rows;
+  Drawing(scene, grid, options).runs(family, [&](const RunRow& row) {
+    rows.emplace_back(row.runs.begin(), row.runs.end());
+  });
+  return rows;
+}
+
+bool same(const DensityRun& a, const DensityRun& b) {
+  return a.x0 == b.x0 && a.x1 == b.x1 && a.density0 == b.density0 && a.density1 == b.density1 &&
+         a.surface == b.surface && a.body == b.body && a.kind == b.kind;
+}
+
+TEST(Drawing, AnEmptySceneIsBarePaper) {
+  const auto rows = cells_of(Scene{}, square_grid(7, 3));
+  ASSERT_EQ(rows.size(), 3u);
+  for (const auto& row : rows) EXPECT_EQ(row, std::vector<float>(7, 0.0f));
+}
+
+TEST(Drawing, CellsHoldTheExactAreaOfABox) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.light = Direction{0, 90};
+  // From x = 2.25 to 5.75 and 1.5 to 4.25 rows down; its top faces the light: density 0.2.
+  add(scene, Box{{3.5, 2.75, 1}}, {4, -2.875, 0});
+  const auto rows = cells_of(scene, square_grid(10, 8));
+  const auto cover = [](double low, double high, int i) {
+    return std::max(0.0, std::min(high, i + 1.0) - std::max(low, static_cast<double>(i)));
+  };
+  for (int r = 0; r < 8; ++r)
+    for (int c = 0; c < 10; ++c)
+      EXPECT_NEAR(rows[r][c], 0.2 * cover(2.25, 5.75, c) * cover(1.5, 4.25, r), 1e-7)
+          << r << ' ' << c;
+  EXPECT_EQ(rows[2][3], 0.2f) << "cells inside a flat face hold its density itself";
+}
+
+TEST(Drawing, RunsEndWhereTheBoxEnds) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.light = Direction{0, 90};
+  add(scene, Box{{3.5, 2.75, 1}}, {4, -2.875, 0});
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  ASSERT_EQ(rows.size(), 8u);
+  ASSERT_EQ(rows[2].size(), 1u);
+  EXPECT_NEAR(rows[2][0].x0, 2.25, 1e-12);
+  EXPECT_NEAR(rows[2][0].x1, 5.75, 1e-12);
+  EXPECT_EQ(rows[2][0].kind, Kind::lit);
+  EXPECT_NEAR(rows[2][0].density0, 0.2, 1e-15);
+  EXPECT_TRUE(rows[0].empty());
+}
+
+TEST(Drawing, ACubesGroundShadowIsThatOfNN74) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.ground_z = 0;
+  scene.light = Direction{180, 45};  // from -X: the shadow reaches one height towards +X
+  add(scene, Box{{2, 2, 2}}, {4, -4, 0});
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  const auto& row = rows[4];
+  ASSERT_EQ(row.size(), 2u);
+  EXPECT_EQ(row[0].kind, Kind::lit);
+  EXPECT_NEAR(row[0].x1, 5, 1e-12);
+  EXPECT_EQ(row[1].kind, Kind::ground_shadow);
+  EXPECT_NEAR(row[1].x0, 5, 1e-12);
+  EXPECT_NEAR(row[1].x1, 7, 1e-12);
+  EXPECT_EQ(row[1].density0, 0.85);
+  EXPECT_EQ(row[1].surface, kNoSurface);
+}
+
+TEST(Drawing, ABodyCastsOntoAnother) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.light = Direction{180, 45};
+  add(scene, Box{{8, 6, 1}}, {5, -4, 0});  // a slab, its top at 1
+  add(scene, Box{{1, 2, 2}}, {3, -4, 1});  // stands on it; 2 high: the shadow is 2 long
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  const auto& row = rows[4];
+  ASSERT_EQ(row.size(), 4u);
+  EXPECT_EQ(row[0].kind, Kind::lit);
+  EXPECT_NEAR(row[0].x1, 2.5, 1e-12);
+  EXPECT_EQ(row[1].kind, Kind::lit);
+  EXPECT_NEAR(row[1].x1, 3.5, 1e-12);
+  EXPECT_EQ(row[2].kind, Kind::shadow);
+  EXPECT_NEAR(row[2].x1, 5.5, 1e-12);
+  EXPECT_EQ(row[2].density0, 1);
+  EXPECT_EQ(row[3].kind, Kind::lit);
+  EXPECT_EQ(row[3].surface, row[0].surface);
+}
+
+TEST(Drawing, InterpenetratingBodiesMeetAtTheirCrossing) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  // Two roofs along y whose slopes pass through each other at x = 5.
+  add(scene, Wedge{{4, 6, 2}, 0, 0}, {4, -4, 0});
+  add(scene, Wedge{{4, 6, 2}, 0, 0}, {6, -4, 0});
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  const auto& row = rows[4];
+  ASSERT_EQ(row.size(), 4u);
+  const double ends[4] = {4, 5, 6, 8};
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(row[i].x1, ends[i], 1e-12);
+  EXPECT_EQ(row[1].body, 0u);
+  EXPECT_EQ(row[2].body, 1u);
+}
+
+TEST(Drawing, ABodyExactlyHidingAnotherHidesAllOfIt) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  add(scene, Box{{4, 4, 1}}, {5, -4, 0});
+  add(scene, Box{{4, 4, 1}}, {5, -4, 3});
+  for (const auto& row : runs_of(scene, square_grid(10, 8), {}))
+    for (const DensityRun& run : row) EXPECT_EQ(run.body, 1u);
+}
+
+TEST(Drawing, RunsAreSortedDisjointAndWithinTheGrid) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const Scene scene = crowd(seed, 8);
+    for (const double angle : {0.0, 30.0, 90.0, 137.0})
+      for (const auto& row : runs_of(scene, square_grid(60, 45), {angle, 1, 0.5}))
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          EXPECT_LT(row[i].x0, row[i].x1);
+          if (i > 0) {
+            EXPECT_LE(row[i - 1].x1, row[i].x0);
+          }
+          EXPECT_GE(row[i].density0, 0);
+          EXPECT_LE(row[i].density0, 1);
+        }
+  }
+}
+
+/// Law: a row of cells is the mean of its scan lines.
+TEST(Drawing, CellsAreTheMeanOfManyScanLines) {
+  constexpr int kLines = 256;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const Scene scene = crowd(seed, 7);
+    const Grid grid = square_grid(40, 30);
+    const auto cells = cells_of(scene, grid);
+    std::vector<std::vector<double>> mean(30, std::vector<double>(40, 0.0));
+    int line = 0;
+    for (const auto& row : runs_of(scene, grid, {0, 1.0 / kLines, 0.5 / kLines})) {
+      for (const DensityRun& run : row)
+        for (int i = static_cast<int>(run.x0); i < 40 && i < run.x1; ++i) {
+          const double low = std::max<double>(run.x0, i), high = std::min<double>(run.x1, i + 1);
+          const double t = ((low + high) / 2 - run.x0) / (run.x1 - run.x0);
+          mean[line / kLines][i] +=
+              (high - low) * (run.density0 + t * (run.density1 - run.density0)) / kLines;
+        }
+      ++line;
+    }
+    for (int r = 0; r < 30; ++r)
+      for (int c = 0; c < 40; ++c)
+        // A border is seen by the lines to within half of their distance; a cell may have a few.
+        EXPECT_NEAR(cells[r][c], mean[r][c], 4.0 / kLines)
+            << "seed " << seed << " row " << r << " column " << c;
+  }
+}
+
+TEST(Drawing, OneThreadEqualsMany) {
+  const Scene scene = crowd(3, 9);
+  DrawOptions one, many;
+  one.threads = 1, many.threads = 4;
+  const Grid grid = square_grid(80, 70);
+  EXPECT_EQ(cells_of(scene, grid, one), cells_of(scene, grid, many));
+  const auto a = runs_of(scene, grid, {20, 0.7, 0.1}, one),
+             b = runs_of(scene, grid, {20, 0.7, 0.1}, many);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].size(), b[i].size());
+    for (std::size_t k = 0; k < a[i].size(); ++k) EXPECT_TRUE(same(a[i][k], b[i][k]));
+  }
+}
+
+TEST(Drawing, TheOrderOfBodiesDoesNotMatter) {
+  Scene scene = crowd(5, 8);
+  const auto before = cells_of(scene, square_grid(50, 40));
+  std::reverse(scene.bodies.begin(), scene.bodies.end());
+  const auto after = cells_of(scene, square_grid(50, 40));
+  for (std::size_t r = 0; r < before.size(); ++r)
+    for (std::size_t c = 0; c < before[r].size(); ++c) EXPECT_NEAR(before[r][c], after[r][c], 1e-6);
+}
+
+TEST(Drawing, TurnedLinesSeeTheSameArea) {
+  for (unsigned seed = 20; seed < 24; ++seed) {
+    const Scene scene = crowd(seed, 6);
+    const auto length = [&](double angle) {
+      double sum = 0;
+      for (const auto& row : runs_of(scene, square_grid(60, 50), {angle, 0.05, 0}))
+        for (const DensityRun& run : row)
+          sum += (run.x1 - run.x0) * 0.05 * (run.density0 + run.density1) / 2;
+      return sum;
+    };
+    const double level = length(0);
+    for (const double angle : {45.0, 90.0, -33.0}) EXPECT_NEAR(length(angle), level, level * 2e-3);
+  }
+}
+
+TEST(Drawing, ASinkThatThrowsEndsTheWork) {
+  Drawing drawing(crowd(1, 5), square_grid(40, 300), {});
+  int rows = 0;
+  EXPECT_THROW(drawing.cells([&](const CellRow&) {
+    if (++rows == 5) throw WorkError("disk full");
+  }),
+               WorkError);
+  EXPECT_EQ(rows, 5);
+  rows = 0;
+  drawing.cells([&](const CellRow&) { ++rows; });
+  EXPECT_EQ(rows, 300);
+}
+
+TEST(Drawing, ASphereIsADisc) {
+  Scene scene;
+  look_down(scene, 100, 100);
+  scene.law.k = 0;
+  add(scene, Ellipsoid{Vec3(40)}, {50, -50, 0});
+  double area = 0;
+  for (const auto& row : cells_of(scene, square_grid(100, 100)))
+    for (const float d : row) area += d;
+  const double disc = 3.14159265358979 * 40 * 40;
+  // Chords lie inside, by the tolerance of 0.05 at most: that ring's area.
+  EXPECT_LE(area, disc);
+  EXPECT_GE(area, disc - 2 * 3.1416 * 40 * 0.05);
+}
+
+}  // namespace
+}  // namespace overstrike

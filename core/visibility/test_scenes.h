@@ -1,0 +1,64 @@
+#pragma once
+// Small scenes for the tests beside this file.
+#include <memory>
+#include <random>
+
+#include "core/geometry/trig.h"
+#include "core/scene/scene.h"
+
+namespace overstrike::testing {
+
+inline Body& add(Scene& scene, Shape shape, Vec3 at = Vec3(0), double turn_deg = 0) {
+  Body body;
+  body.shape = std::make_shared<const Shape>(std::move(shape));
+  const double c = cos_deg(turn_deg), s = sin_deg(turn_deg);
+  body.placement = {Mat3(Vec3(c, s, 0), Vec3(-s, c, 0), Vec3(0, 0, 1)), at};
+  scene.bodies.push_back(std::move(body));
+  return scene.bodies.back();
+}
+
+/// Looking straight down on [0, columns] x [0, rows] of the world's x and -y, one unit a cell.
+inline void look_down(Scene& scene, double columns, double rows) {
+  scene.camera.look_at = Vec3(columns / 2, -rows / 2, 0);
+  scene.camera.from = {-90, 90};
+  scene.camera.up = Vec3(0, 1, 0);
+  scene.camera.parallel = true;
+  scene.camera.window_width = columns;
+  scene.camera.distance = 100;
+}
+
+inline Grid square_grid(double columns, double rows) { return {columns, rows, 1, 1}; }
+
+/// Boxes, cones, spheres and tori that pass through one another, on a lit ground.
+inline Scene crowd(unsigned seed, int bodies) {
+  std::mt19937 random(seed);
+  const auto u = [&](double low, double high) {
+    return low + (high - low) * (random() / 4294967296.0);
+  };
+  Scene scene;
+  for (int i = 0; i < bodies; ++i) {
+    const Vec3 at(u(-3, 3), u(-3, 3), u(-0.3, 2));
+    switch (random() % 5) {
+      case 0:
+        add(scene, Box{{u(.3, 2), u(.3, 2), u(.3, 2)}}, at, u(0, 360));
+        break;
+      case 1:
+        add(scene, Frustum{u(.3, 1), u(0, 1), u(.5, 2), 5}, at, u(0, 360));
+        break;
+      case 2:
+        add(scene, Ellipsoid{{u(.3, 1), u(.3, 1), u(.3, 1)}, 8, 5}, at, u(0, 360));
+        break;
+      case 3:
+        add(scene, Torus{u(.8, 1), u(.2, .4)}, at).shading = Shading::smooth;
+        break;
+      default:
+        add(scene, Wedge{{u(.5, 2), u(.5, 2), u(.5, 1)}, u(0, .4), 0}, at, u(0, 360));
+    }
+  }
+  scene.light = Direction{u(0, 360), u(20, 70)};
+  scene.ground_z = 0;
+  scene.camera.from = {u(0, 360), u(5, 60)};
+  return scene;
+}
+
+}  // namespace overstrike::testing
