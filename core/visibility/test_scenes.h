@@ -29,8 +29,9 @@ inline void look_down(Scene& scene, double columns, double rows) {
 
 inline Grid square_grid(double columns, double rows) { return {columns, rows, 1, 1}; }
 
-/// Boxes, cones, spheres and tori that pass through one another, on a lit ground.
-inline Scene crowd(unsigned seed, int bodies) {
+/// Boxes, pyramids, faceted spheres and wedges that pass through one another, on a lit ground;
+/// `round` adds smooth tori of many facets.
+inline Scene crowd(unsigned seed, int bodies, bool round = true) {
   std::mt19937 random(seed);
   const auto u = [&](double low, double high) {
     return low + (high - low) * (random() / 4294967296.0);
@@ -38,7 +39,7 @@ inline Scene crowd(unsigned seed, int bodies) {
   Scene scene;
   for (int i = 0; i < bodies; ++i) {
     const Vec3 at(u(-3, 3), u(-3, 3), u(-0.3, 2));
-    switch (random() % 5) {
+    switch (random() % (round ? 5 : 4)) {
       case 0:
         add(scene, Box{{u(.3, 2), u(.3, 2), u(.3, 2)}}, at, u(0, 360));
         break;
@@ -49,10 +50,10 @@ inline Scene crowd(unsigned seed, int bodies) {
         add(scene, Ellipsoid{{u(.3, 1), u(.3, 1), u(.3, 1)}, 8, 5}, at, u(0, 360));
         break;
       case 3:
-        add(scene, Torus{u(.8, 1), u(.2, .4)}, at).shading = Shading::smooth;
+        add(scene, Wedge{{u(.5, 2), u(.5, 2), u(.5, 1)}, u(0, .4), 0}, at, u(0, 360));
         break;
       default:
-        add(scene, Wedge{{u(.5, 2), u(.5, 2), u(.5, 1)}, u(0, .4), 0}, at, u(0, 360));
+        add(scene, Torus{u(.8, 1), u(.2, .4)}, at).shading = Shading::smooth;
     }
   }
   scene.light = Direction{u(0, 360), u(20, 70)};
