@@ -50,10 +50,12 @@ TEST(SceneErrors, AreSaidInTheseWords) {
 TEST(SceneErrors, BinaryFiles) {
   EXPECT_EQ(errors_of(std::string("bodies: [\0]", 11)),
             "s.yaml: error: not a text file: byte 10 is NUL");
-  EXPECT_EQ(errors_of("bodies: \xFF\xFE"), "s.yaml: error: not a text file: byte 9 is not UTF-8");
-  EXPECT_EQ(errors_of("\xFF\xFE"
-                      "b"),
-            "s.yaml: error: not a text file: byte 1 is not UTF-8");
+  EXPECT_EQ(errors_of("bodies:\n  \xE9t\xE9"),
+            "s.yaml:2:3: error: not UTF-8: byte 0xE9 (save the file as UTF-8)");
+  EXPECT_EQ(errors_of(std::string("\xFF\xFE"
+                                  "b\0",
+                                  4)),  // UTF-16
+            "s.yaml: error: not a text file: byte 4 is NUL");
 }
 
 TEST(SceneErrors, MarksAndLineEndsOfOtherSystemsAreNoErrors) {

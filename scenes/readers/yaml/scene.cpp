@@ -1,5 +1,7 @@
 #include "scenes/readers/yaml/scene.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "scenes/readers/yaml/parts.h"
@@ -136,17 +138,26 @@ Scene read_parts_of_scene(const Fields& f, MeshFiles& meshes) {
   return scene;
 }
 
+/// Binary files have no lines; a text in another encoding has, but its line cannot be shown.
+void check_text(std::string_view text, const std::string& name) {
+  const std::size_t odd = first_non_text(text);
+  if (odd == std::string_view::npos) return;
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos)
+    throw InputError(Place{name, 0, 0}, fmt::format("not a text file: byte {} is NUL", nul + 1));
+  const TextMark mark = mark_at(text, odd);
+  throw InputError(Place{name, mark.line, mark.column},
+                   fmt::format("not UTF-8: byte 0x{:02X}", static_cast<unsigned char>(text[odd])),
+                   "save the file as UTF-8");
+}
+
 }  // namespace
 
 ReadResult read_scene(std::string_view text, const std::string& name,
                       const std::filesystem::path& folder) {
   text = without_bom(text);
   Reporter reporter(text, name);
-  const std::size_t odd = first_non_text(text);
-  if (odd != std::string_view::npos)
-    reporter.error({}, "not a text file: byte " + std::to_string(odd + 1) +
-                           (text[odd] == '\0' ? " is NUL" : " is not UTF-8"));
-  reporter.throw_errors();
+  check_text(text, name);
   const Tree tree(text, reporter);
   reporter.throw_errors();
   if (!tree.root() || tree.root()->kind == NodeKind::nothing) {
