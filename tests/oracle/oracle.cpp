@@ -253,14 +253,17 @@ struct Oracle::Impl {
     return compare_depth(a.at, b.at);
   }
 
+  /// Law 5, at one depth.
   Seen darkest(const std::vector<const Meeting*>& tied) const {
     Seen best;
+    double best_away = 0;
     for (const Meeting* m : tied) {
-      const Seen s = face_at(*m);
-      const bool first = best.face == kNone;
-      if (first || s.density > best.density ||
-          (s.density == best.density && precedes(s.face, best.face)))
-        best = s;
+      const double away = density_away_from_shadow(*m);
+      const Seen s = face_at(*m, away);
+      const bool wins = s.density != best.density ? s.density > best.density
+                        : away != best_away       ? away > best_away
+                                                  : precedes(s.face, best.face);
+      if (best.face == kNone || wins) best = s, best_away = away;
     }
     return best;
   }
@@ -297,22 +300,28 @@ struct Oracle::Impl {
     return {kNone, kNone, Kind::ground_shadow, d};
   }
 
-  /// Laws 6 and 7.
-  Seen face_at(const Meeting& m) const {
+  /// Law 6.
+  Seen face_at(const Meeting& m, double away_from_shadow) const {
+    const CanonicalFace& f = in.faces[m.face];
+    Seen s{m.face, f.body, Kind::lit, away_from_shadow};
+    if (!in.light) return s;
+    if (faces[m.face].light_side * faces[m.face].eye_side <= 0) {
+      s.kind = Kind::shade;
+    } else if (shadowed(m.at, f.plane)) {
+      s.kind = Kind::shadow;
+      s.density = clamped(in.law.hmax * in.bodies[f.body].density_factor);
+    }
+    return s;
+  }
+
+  /// Law 7.
+  double density_away_from_shadow(const Meeting& m) const {
     const CanonicalFace& f = in.faces[m.face];
     const double factor = in.bodies[f.body].density_factor;
     const int seen_side = faces[m.face].eye_side;
-    Seen s{m.face, f.body, Kind::lit, clamped(in.law.hmax * (1 - in.law.k) * factor)};
-    if (!in.light) return s;
-    const bool faces_light = faces[m.face].light_side * seen_side > 0;
-    if (faces_light && shadowed(m.at, f.plane)) {
-      s.kind = Kind::shadow, s.density = clamped(in.law.hmax * factor);
-      return s;
-    }
-    s.kind = faces_light ? Kind::lit : Kind::shade;
-    s.density = is_smooth(f) ? smooth(f, m.at, seen_side)
-                             : shade(seen_side * glm::dot(in.outward(f), *in.light), factor);
-    return s;
+    if (!in.light) return shade(1, factor);
+    return is_smooth(f) ? smooth(f, m.at, seen_side)
+                        : shade(seen_side * glm::dot(in.outward(f), *in.light), factor);
   }
 
   /// NN74 (15); cos a below 0 is shade.
@@ -333,12 +342,17 @@ struct Oracle::Impl {
       return shade(seen_side * glm::dot(in.corner_normals[i], *in.light),
                    in.bodies[f.body].density_factor);
     };
-    double best_inside = -INFINITY, best = 0;
+    // Equal corners are not interpolated: ties are decided by what is equal to the last bit.
+    double best_inside = -INFINITY, best = corner(first);
     for (Index i = first + 1; i + 1 < end; ++i) {
       const Vec3 b = barycentric(q, first, i, i + 1);
       const double inside = std::min({b.x, b.y, b.z});
       if (!(inside > best_inside)) continue;
       best_inside = inside;
+      if (corner(i) == corner(first) && corner(i + 1) == corner(first)) {
+        best = corner(first);
+        continue;
+      }
       best = b.x * corner(first) + b.y * corner(i) + b.z * corner(i + 1);
     }
     return best;

@@ -20,9 +20,10 @@
 //     0..1; inside several bodies: the darkest, then the body of the smallest number.
 //  4. The ground is the plane Z = ground_z, seen from above only. It hides what lies below it. Lit
 //     ground is bare paper.
-//  5. The nearest point wins. Among equal depths (faces of one plane) the darker wins, then the
-//     lexicographically smaller plane (normal x, y, z, offset), then the smaller sorted list of
-//     vertices; at equal density a face wins over the ground.
+//  5. The nearest point wins. Among equal depths (faces of one plane) the darker wins, then the one
+//     that is darker away from shadows, then the lexicographically smaller plane (normal x, y, z,
+//     offset), then the smaller sorted list of vertices; at equal density a face wins over the
+//     ground.
 //  6. With light L (towards it), a face with dot(seen-side normal, L) <= 0 is shade. Otherwise the
 //     hit point Q on its stored plane is in shadow when the ray Q + t L, t > 0, meets a face of
 //     another plane: the outline is taken along L, t = (offset - n.Q) / (n.L) from the stored

@@ -126,16 +126,26 @@ void Trial::learn_numbers() {
     face_of_input_.push_back(first_in_plane(f.body, canonical_.planes[f.plane], f.flipped));
 }
 
+Kind Trial::told_apart(Kind kind, Index face) const {
+  if (!canonical_.light || face == kNone) return kind;
+  const Vec3 normal = canonical_.outward(canonical_.faces[face]);
+  return std::fabs(glm::dot(normal, *canonical_.light)) < kGrazing ? Kind::shade : kind;
+}
+
 DensityRun Trial::in_numbers_of_input(DensityRun run) const {
-  if (face_of_input_.empty()) return run;
-  if (run.surface != kNoSurface) run.surface = face_of_drawn_.at(run.surface);
-  if (run.body != kNoSurface) run.body = body_of_drawn_.at(run.body);
+  if (!face_of_input_.empty()) {
+    if (run.surface != kNoSurface) run.surface = face_of_drawn_.at(run.surface);
+    if (run.body != kNoSurface) run.body = body_of_drawn_.at(run.body);
+  }
+  if (run.kind != Kind::cut && run.kind != Kind::ground_shadow)
+    run.kind = told_apart(run.kind, run.surface);
   return run;
 }
 
 Seen Trial::oracle_at(const Vec2& p) const {
   Seen seen = oracle_.at(p.x, p.y);
   if (!face_of_input_.empty() && seen.face != kNone) seen.face = face_of_input_[seen.face];
+  seen.kind = told_apart(seen.kind, seen.face);
   return seen;
 }
 

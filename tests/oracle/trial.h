@@ -15,6 +15,9 @@ namespace overstrike::oracle {
 constexpr double kEndError = 1e-9;
 /// What is thinner than that, a run of rounding's making, is not seen at all.
 constexpr double kThinnest = kEndError;
+/// Where light grazes a face, |n.L| below this, the condition number of its shadows (crossings.h)
+/// times kEndError is a grid unit and more: lit, shade and shadow are not told apart there.
+constexpr double kGrazing = kEndError;
 /// Densities of flat faces differ by rounding only.
 constexpr double kFlatDensityError = 1e-9;
 /// Smooth densities are linear along a run to within this: half a step of 8 bits.
@@ -59,6 +62,7 @@ class Trial {
   Index first_in_plane(Index body, const Plane& plane, bool flipped) const;
   DensityRun in_numbers_of_input(DensityRun run) const;
   Seen oracle_at(const Vec2& p) const;
+  Kind told_apart(Kind kind, Index face) const;
 
   void scan(Drawing& drawing, const ScanFamily& family);
   void fail(const std::string& what);
