@@ -126,6 +126,39 @@ class TreeBuilder : public YAML::EventHandler {
 
 namespace {
 
+// yaml-cpp's scanner looks ahead to the end of an unclosed bracket and keeps a hundred bytes for
+// each: more open brackets than this are refused before it sees them. What a plain scan of quotes
+// and comments may miscount stays far below.
+constexpr int kMostOpenBrackets = 100'000;
+
+/// Offset behind the quoted text that begins at `i`.
+std::size_t skip_quoted(std::string_view text, std::size_t i) {
+  const char quote = text[i++];
+  while (i < text.size() && text[i] != quote) i += quote == '"' && text[i] == '\\' ? 2 : 1;
+  return i + 1;
+}
+
+/// Where too many brackets are open, or npos.
+std::size_t too_many_brackets(std::string_view text) {
+  int open = 0;
+  bool token_start = true;  // quotes and '#' mean something only there
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (token_start && (c == '"' || c == '\'')) {
+      i = skip_quoted(text, i) - 1;
+    } else if (token_start && c == '#') {
+      i = std::min(text.size(), text.find('\n', i)) - 1;
+    } else if (c == '[' || c == '{') {
+      if (++open > kMostOpenBrackets) return i;
+    } else if (c == ']' || c == '}') {
+      open = std::max(0, open - 1);
+    }
+    constexpr std::string_view kBefore = " \t\r\n[{,:";
+    token_start = kBefore.find(c) != std::string_view::npos;
+  }
+  return std::string_view::npos;
+}
+
 std::string hint_for(std::string_view text, const TextMark& mark) {
   const std::size_t start = mark.offset + 1 - std::min<std::size_t>(mark.offset + 1, mark.column);
   const std::string_view line = text.substr(std::min(start, text.size()));
@@ -150,6 +183,11 @@ std::string message_for(const std::string& theirs) {
 }  // namespace
 
 Tree::Tree(std::string_view text, Reporter& reporter) {
+  const std::size_t deep = too_many_brackets(text);
+  if (deep != std::string_view::npos) {
+    reporter.error(mark_at(text, deep), kTooDeep);
+    return;
+  }
   ViewBuffer buffer(text);
   std::istream in(&buffer);
   TreeBuilder builder(*this);

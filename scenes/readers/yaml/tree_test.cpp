@@ -78,6 +78,11 @@ TEST(Tree, RefusesDeepNesting) {
   for (const std::string& text :
        {repeat("[", 100000), repeat("{a: ", 100000), repeat("- ", 100000), repeat("? ", 100000)})
     EXPECT_THAT(complaint(text), testing::EndsWith(deep)) << text.substr(0, 4);
+  // so many that yaml-cpp must not see them, with closing brackets that close nothing
+  for (const std::string& text : {repeat("[", 3000000), repeat("{\n", 3000000),
+                                  repeat("[ #]\n", 1000000), repeat("[\"\\\"]\",", 1000000)})
+    EXPECT_THAT(complaint(text), testing::EndsWith(deep)) << text.substr(0, 8);
+  EXPECT_EQ(complaint(fmt::format("[{}]", repeat("it's, 'a[', \"[\", # [\n", 150000))), "");
   EXPECT_EQ(complaint(repeat("[", 255) + repeat("]", 255)), "");
   // aliases nest what they name
   std::string chain = "[&a0 [1]";
