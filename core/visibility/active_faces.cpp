@@ -29,6 +29,13 @@ void ActiveFaces::toggle(Index face) {
   if (candidate_ == face) candidate_known_ = false;
 }
 
+bool ActiveFaces::shares_plane(Index face) const {
+  const Index plane = table_.faces[face].plane;
+  return std::any_of(active_.begin(), active_.end(), [&](Index other) {
+    return other != face && table_.faces[other].plane == plane;
+  });
+}
+
 void ActiveFaces::pass(const ScanEdge& edge) {
   if (edge.winding != 0) {
     shadow_count_[edge.shadow_slot] += edge.winding;
@@ -40,8 +47,8 @@ void ActiveFaces::pass(const ScanEdge& edge) {
     return;
   }
   const bool f_was_active = position_[f] != kNone, g_was_active = position_[g] != kNone;
-  const bool replaces =
-      candidate_known_ && f_was_active != g_was_active && candidate_ == (f_was_active ? f : g);
+  const bool replaces = candidate_known_ && f_was_active != g_was_active &&
+                        candidate_ == (f_was_active ? f : g) && !shares_plane(candidate_);
   toggle(f);
   toggle(g);
   if (!replaces) return;

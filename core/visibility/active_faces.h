@@ -21,6 +21,8 @@ class ActiveFaces {
   /// Passes an edge from left to right, or back.
   void pass(const ScanEdge& edge);
   void pass_back(const ScanEdge& edge);
+  /// What is seen in the present span says nothing about the next one.
+  void forget() { candidate_known_ = false; }
   /// Forgets everything: the place left of every edge.
   void clear();
 
@@ -36,6 +38,9 @@ class ActiveFaces {
 
  private:
   void toggle(Index face);
+  /// True when another active face lies in the face's plane: the face is seen by winning a tie, and
+  /// its neighbour, in another plane, need not be seen.
+  bool shares_plane(Index face) const;
 
   const EyeTable& table_;
   std::vector<Index> active_;

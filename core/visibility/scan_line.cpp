@@ -70,8 +70,9 @@ void LineScanner::resolve(double y, const std::vector<Index>& edges,
     const double next_slack = table_.edges[p.edge].x_error;
     if (next > x) {
       span(x, next, y, slack, next_slack, runs);
+      // An edge passed before may truly lie right of this one.
+      slack = std::max(next_slack, slack - (next - x));
       x = next;
-      slack = next_slack;
     } else {
       slack = std::max(slack, next_slack);
     }
@@ -87,6 +88,8 @@ void LineScanner::span(double x0, double x1, double y, double slack0, double sla
   if (active_.faces().empty()) return;
   if (!active_.crossing()) {
     emit(x0, x1, y, active_.seen_at(x0 + (x1 - x0) / 2, y), runs);
+    // A span of rounding's making may lie on the wrong side of an edge that both faces touch.
+    if (x1 - x0 <= slack0 + slack1) active_.forget();
     return;
   }
   pieces_.clear();
