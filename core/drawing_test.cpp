@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/visibility/test_scenes.h"
 
@@ -189,6 +190,26 @@ TEST(Drawing, CrowdedCellsKeepToTheTolerance) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     expect_mean_of_lines(crowd(seed, 7, true), 0.05 + 4.0 / 256);
+  }
+}
+
+/// Shadows and outlines meet in the lines in which the boxes touch: spans there are of rounding's
+/// making, and tell nothing about their neighbours.
+TEST(Drawing, BodiesThatStandOnOthersAreSeenDownToTheirFeet) {
+  std::mt19937 random(7);
+  const auto u = [&](double low, double high) {
+    return low + (high - low) * (random() / 4294967296.0);
+  };
+  for (int turn = 0; turn < 24; ++turn) {
+    SCOPED_TRACE(turn);
+    Scene scene;
+    add(scene, Box{{36, 7, 20}}, {0, 6, 4.5});
+    add(scene, Box{{u(5, 14), u(2, 6), u(1, 4)}}, {u(-8, 8), 6, 24.5});
+    add(scene, Box{{44, 26, 4.5}});
+    scene.camera.from = {u(-80, -20), u(15, 50)};
+    scene.light = Direction{u(-150, -30), u(20, 60)};
+    scene.ground_z = 0;
+    expect_mean_of_lines(scene, 4.0 / 256);
   }
 }
 

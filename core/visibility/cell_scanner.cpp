@@ -39,6 +39,9 @@ CellScanner::CellScanner(const EyeTable& table, double tolerance)
 /// no slab tells apart at less than the price of all of them.
 constexpr double kCrowdedEdges = 6;
 
+/// Grid units, far above the rounding of a corner's place and far below what an area shows.
+constexpr double kCornerError = 0x1p-36;
+
 bool CellScanner::crowded() const {
   return static_cast<double>(clips_.size()) > kCrowdedEdges * table_.columns;
 }
@@ -231,6 +234,7 @@ void CellScanner::rectangle(const Band& band, double x0, double x1) {
   const std::vector<Vec2> corners{{x0, 0}, {x1, 0}, {x1, 1}, {x0, 1}};
   const bool crossing = active_.crossing();
   const Index face = crossing ? sole_owner(corners) : active_.seen_at((x0 + x1) / 2, top_ + 0.5);
+  if (x1 - x0 <= kCornerError) active_.forget();
   if (face == kNone && crossing) {
     share(corners);
     cells_.settle(x0, x1);
@@ -252,6 +256,9 @@ void CellScanner::trapezoid(const Side& left, const Side& right, double ya, doub
   const Index face = active_.crossing()
                          ? sole_owner(corners)
                          : active_.seen_at((left.middle + right.middle) / 2, top_ + (ya + yb) / 2);
+  // Two edges that should be one: such a sliver may lie on the wrong side of a line in which faces
+  // touch, and what is seen in it says nothing about the next span.
+  if (right.middle - left.middle <= kCornerError) active_.forget();
   if (face != kNone) {
     part(corners, face);
   } else if (active_.crossing()) {
@@ -284,8 +291,6 @@ Index CellScanner::sole_owner(const std::vector<Vec2>& polygon) {
   const Vec2 middle = middle_of(polygon);
   const Index owner = active_.nearest(middle.x, middle.y + top_);
   if (owner == kNone) return kNone;
-  // Grid units, far above the rounding of a corner's place and far below what an area shows.
-  constexpr double kCornerError = 0x1p-36;
   const DepthPlane& p = table_.depths[table_.faces[owner].plane];
   for (const Index face : active_.faces()) {
     if (face == owner || table_.faces[face].plane == table_.faces[owner].plane) continue;
