@@ -165,6 +165,8 @@ class Assembler {
     result.first_vertex = static_cast<Index>(out_.vertices.size());
     result.closed = shape.closed;
     result.smooth = body.shading == Shading::smooth;
+    result.simple =
+        !std::holds_alternative<Mesh>(*body.shape) && !std::holds_alternative<Sweep>(*body.shape);
     result.density_factor = body.density_factor;
     result.pen = body.pen;
     result.source = source;

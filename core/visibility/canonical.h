@@ -44,6 +44,7 @@ struct CanonicalBody {
   Index first_vertex, end_vertex;
   bool closed;  ///< every edge has two faces: back faces cannot be seen from outside
   bool smooth;  ///< shaded by corner normals
+  bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
   double density_factor;
   int pen;
   Index source;  ///< index into Scene::bodies

@@ -12,7 +12,7 @@ struct Moments {
 };
 
 /// Twice-signed sums over a fan from the first corner.
-Moments moments(const std::vector<Vec2>& polygon) {
+Moments moments(std::span<const Vec2> polygon) {
   double area = 0;
   Vec2 sum(0);
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
@@ -26,7 +26,7 @@ Moments moments(const std::vector<Vec2>& polygon) {
 }
 
 /// The part of a polygon with sign * (x - at) >= 0.
-void cut_at(const std::vector<Vec2>& polygon, double at, double sign, std::vector<Vec2>& result) {
+void cut_at(std::span<const Vec2> polygon, double at, double sign, std::vector<Vec2>& result) {
   result.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& a = polygon[i];
@@ -116,21 +116,29 @@ void CellAccumulator::settle(double x0, double x1) {
   if (last + 1 < static_cast<int>(step_.size())) step_[last + 1] = 0;
 }
 
-void CellAccumulator::add_smooth(const std::vector<Vec2>& polygon, const EyeFace& face,
+void CellAccumulator::add_smooth(std::span<const Vec2> polygon, const EyeFace& face,
                                  double y_offset) {
   if (polygon.size() < 3) return;
   double low = polygon[0].x, high = polygon[0].x;
   for (const Vec2& p : polygon) low = std::min(low, p.x), high = std::max(high, p.x);
+  const double lowest = low;
   low = std::max(low, 0.0), high = std::min<double>(high, columns_);
-  std::vector<Vec2> right, cell;
-  for (int i = static_cast<int>(low); i < columns_ && i < high; ++i) {
-    cut_at(polygon, i, 1, right);
-    cut_at(right, i + 1, -1, cell);
-    if (cell.size() < 3) continue;
-    const Moments m = moments(cell);
-    if (m.area > 0)
-      value_[i] +=
-          m.area * std::clamp(face.density_at(m.centroid.x, m.centroid.y + y_offset), 0.0, 1.0);
+  const auto add = [&](int column, std::span<const Vec2> piece) {
+    if (piece.size() < 3) return;
+    const Moments m = moments(piece);
+    if (m.area == 0) return;
+    const double density = face.density_at(m.centroid.x, m.centroid.y + y_offset);
+    value_[column] += m.area * std::clamp(density, 0.0, 1.0);
+  };
+  const int first = static_cast<int>(low);
+  if (high <= first + 1 && low == lowest && first < columns_) {
+    add(first, polygon);
+    return;
+  }
+  for (int i = first; i < columns_ && i < high; ++i) {
+    cut_at(polygon, i, 1, right_);
+    cut_at(right_, i + 1, -1, cell_);
+    add(i, cell_);
   }
 }
 

@@ -24,7 +24,7 @@ class CellAccumulator {
   void settle(double x0, double x1);
   /// A convex polygon whose density is linear in each cell to within what matters; `y_offset` is
   /// the row's top in the coordinates of face.density_at. The polygon's y is within the row (0..1).
-  void add_smooth(const std::vector<Vec2>& polygon, const EyeFace& face, double y_offset);
+  void add_smooth(std::span<const Vec2> polygon, const EyeFace& face, double y_offset);
 
   /// A run of a scan line, standing for a strip of the row of this height.
   void add_run(const DensityRun& run, double height);
@@ -38,6 +38,7 @@ class CellAccumulator {
   std::vector<double> value_;
   std::vector<double> step_;  ///< differences from cell to cell, before settle()
   std::vector<float> result_;
+  std::vector<Vec2> right_, cell_;
 };
 
 }  // namespace overstrike

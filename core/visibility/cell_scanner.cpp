@@ -8,8 +8,8 @@ namespace {
 
 /// Keeps the part of a convex polygon where f >= 0.
 template <class Function>
-std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Function& f) {
-  std::vector<Vec2> result;
+void cut(std::span<const Vec2> polygon, const Function& f, std::vector<Vec2>& result) {
+  result.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& a = polygon[i];
     const Vec2& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
@@ -17,10 +17,9 @@ std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Function& f) {
     if (fa >= 0) result.push_back(a);
     if ((fa < 0 && fb > 0) || (fa > 0 && fb < 0)) result.push_back(a + (b - a) * (fa / (fa - fb)));
   }
-  return result;
 }
 
-Vec2 middle_of(const std::vector<Vec2>& polygon) {
+Vec2 middle_of(std::span<const Vec2> polygon) {
   Vec2 sum(0);
   for (const Vec2& p : polygon) sum += p;
   return sum / static_cast<double>(polygon.size());
@@ -231,7 +230,7 @@ void CellScanner::rectangle(const Band& band, double x0, double x1) {
     trapezoid({x0, x0, x0, kNone}, {x1, x1, x1, kNone}, band.ya, band.yb);
     return;
   }
-  const std::vector<Vec2> corners{{x0, 0}, {x1, 0}, {x1, 1}, {x0, 1}};
+  const Vec2 corners[4] = {{x0, 0}, {x1, 0}, {x1, 1}, {x0, 1}};
   const bool crossing = active_.crossing();
   const Index face = crossing ? sole_owner(corners) : active_.seen_at((x0 + x1) / 2, top_ + 0.5);
   if (x1 - x0 <= kCornerError) active_.forget();
@@ -252,7 +251,7 @@ void CellScanner::rectangle(const Band& band, double x0, double x1) {
 void CellScanner::trapezoid(const Side& left, const Side& right, double ya, double yb) {
   if (active_.faces().empty() || right.middle <= 0 || left.middle >= table_.columns) return;
   const double xa = std::max(left.xa, right.xa), xb = std::max(left.xb, right.xb);
-  const std::vector<Vec2> corners{{left.xa, ya}, {xa, ya}, {xb, yb}, {left.xb, yb}};
+  const Vec2 corners[4] = {{left.xa, ya}, {xa, ya}, {xb, yb}, {left.xb, yb}};
   const Index face = active_.crossing()
                          ? sole_owner(corners)
                          : active_.seen_at((left.middle + right.middle) / 2, top_ + (ya + yb) / 2);
@@ -266,7 +265,7 @@ void CellScanner::trapezoid(const Side& left, const Side& right, double ya, doub
   }
 }
 
-void CellScanner::part(const std::vector<Vec2>& polygon, Index face) {
+void CellScanner::part(std::span<const Vec2> polygon, Index face) {
   const bool shadowed = active_.shadowed(face);
   if (face == table_.ground && !shadowed) return;
   const EyeFace& f = table_.faces[face];
@@ -287,7 +286,7 @@ void CellScanner::part(const std::vector<Vec2>& polygon, Index face) {
 /// The face that is nearest at every corner, or kNone when that is not one face. Edges that touch a
 /// face end on it but for rounding: a face may be behind at a corner by as much as depth changes
 /// within the corner's own uncertainty.
-Index CellScanner::sole_owner(const std::vector<Vec2>& polygon) {
+Index CellScanner::sole_owner(std::span<const Vec2> polygon) {
   const Vec2 middle = middle_of(polygon);
   const Index owner = active_.nearest(middle.x, middle.y + top_);
   if (owner == kNone) return kNone;
@@ -305,25 +304,28 @@ Index CellScanner::sole_owner(const std::vector<Vec2>& polygon) {
 }
 
 /// Step 3: the nearest face's part is where it is nearer than every other.
-void CellScanner::share(const std::vector<Vec2>& polygon) {
+void CellScanner::share(std::span<const Vec2> polygon) {
   const std::vector<Index>& faces = active_.faces();
   for (const Index face : faces) {
-    std::vector<Vec2> mine = polygon;
+    mine_.assign(polygon.begin(), polygon.end());
     const DepthPlane& p = table_.depths[table_.faces[face].plane];
     for (const Index other : faces) {
-      if (other == face || mine.size() < 3) continue;
+      if (other == face || mine_.size() < 3) continue;
       const bool by_rule = (face == table_.ground && !table_.faces[other].may_cross) ||
                            (other == table_.ground && !table_.faces[face].may_cross);
       if (by_rule || table_.faces[face].plane == table_.faces[other].plane) {
-        const Vec2 middle = middle_of(mine);
-        if (!table_.in_front(face, other, middle.x, middle.y + top_)) mine.clear();
+        const Vec2 middle = middle_of(mine_);
+        if (!table_.in_front(face, other, middle.x, middle.y + top_)) mine_.clear();
         continue;
       }
       const DepthPlane& q = table_.depths[table_.faces[other].plane];
-      mine =
-          cut(mine, [&](const Vec2& c) { return p.at(c.x, c.y + top_) - q.at(c.x, c.y + top_); });
+      const auto nearer = [&](const Vec2& c) {
+        return p.at(c.x, c.y + top_) - q.at(c.x, c.y + top_);
+      };
+      cut(mine_, nearer, kept_);
+      mine_.swap(kept_);
     }
-    if (mine.size() >= 3) part(mine, face);
+    if (mine_.size() >= 3) part(mine_, face);
   }
 }
 

@@ -69,9 +69,9 @@ class CellScanner {
   void slab(std::size_t first, std::size_t last, double ya, double yb, double low, double high);
   void rectangle(const Band& band, double x0, double x1);
   void trapezoid(const Side& left, const Side& right, double ya, double yb);
-  void part(const std::vector<Vec2>& polygon, Index face);
-  void share(const std::vector<Vec2>& polygon);
-  Index sole_owner(const std::vector<Vec2>& polygon);
+  void part(std::span<const Vec2> polygon, Index face);
+  void share(std::span<const Vec2> polygon);
+  Index sole_owner(std::span<const Vec2> polygon);
   double x_at(const Clip& clip, double y) const;
 
   const EyeTable& table_;
@@ -84,6 +84,7 @@ class CellScanner {
   std::vector<Clip> clips_;
   std::vector<double> heights_;
   std::vector<Side> sides_;
+  std::vector<Vec2> mine_, kept_;
 };
 
 }  // namespace overstrike

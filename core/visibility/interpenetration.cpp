@@ -71,7 +71,7 @@ std::vector<char> bodies_that_may_cross(const Canonical& c) {
   for (Index b = 0; b < n; ++b) {
     if (may_cross[b]) continue;
     const bool below_ground = c.ground_z && boxes[b].low.z < *c.ground_z;
-    may_cross[b] = below_ground || !is_convex(c, c.bodies[b]);
+    may_cross[b] = below_ground || !(c.bodies[b].simple || is_convex(c, c.bodies[b]));
   }
   return may_cross;
 }
