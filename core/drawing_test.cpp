@@ -186,6 +186,16 @@ TEST(Drawing, CellsAreTheMeanOfManyScanLines) {
   }
 }
 
+/// What lies beyond the last column is not known; bodies that pass it were once judged there.
+TEST(Drawing, BodiesThatPassTheBordersAreRightInTheLastColumn) {
+  for (unsigned seed = 30; seed < 36; ++seed) {
+    SCOPED_TRACE(seed);
+    Scene scene = crowd(seed, 9, false);
+    scene.camera.window_width = 2.5;
+    expect_mean_of_lines(scene, 4.0 / 256);
+  }
+}
+
 TEST(Drawing, CrowdedCellsKeepToTheTolerance) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);

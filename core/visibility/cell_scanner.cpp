@@ -225,6 +225,7 @@ void CellScanner::slab(std::size_t first, std::size_t last, double ya, double yb
 }
 
 void CellScanner::rectangle(const Band& band, double x0, double x1) {
+  x1 = std::min(x1, table_.columns);
   if (!(x0 < x1) || active_.faces().empty()) return;
   if (band.halvings > 0) {
     trapezoid({x0, x0, x0, kNone}, {x1, x1, x1, kNone}, band.ya, band.yb);
@@ -249,19 +250,29 @@ void CellScanner::rectangle(const Band& band, double x0, double x1) {
 }
 
 void CellScanner::trapezoid(const Side& left, const Side& right, double ya, double yb) {
-  if (active_.faces().empty() || right.middle <= 0 || left.middle >= table_.columns) return;
+  if (active_.faces().empty() || std::max(right.xa, right.xb) <= 0 ||
+      std::min(left.xa, left.xb) >= table_.columns)
+    return;
   const double xa = std::max(left.xa, right.xa), xb = std::max(left.xb, right.xb);
   const Vec2 corners[4] = {{left.xa, ya}, {xa, ya}, {xb, yb}, {left.xb, yb}};
-  const Index face = active_.crossing()
-                         ? sole_owner(corners)
-                         : active_.seen_at((left.middle + right.middle) / 2, top_ + (ya + yb) / 2);
+  std::span<const Vec2> polygon = corners;
+  if (std::max(xa, xb) > table_.columns) {
+    // Edges beyond the last column are not there: nothing is known of what they would turn off.
+    cut(
+        polygon, [&](const Vec2& p) { return table_.columns - p.x; }, inside_);
+    polygon = inside_;
+    if (polygon.size() < 3) return;
+  }
+  const Vec2 middle = middle_of(polygon);
+  const Index face =
+      active_.crossing() ? sole_owner(polygon) : active_.seen_at(middle.x, top_ + middle.y);
   // Two edges that should be one: such a sliver may lie on the wrong side of a line in which faces
   // touch, and what is seen in it says nothing about the next span.
   if (right.middle - left.middle <= kCornerError) active_.forget();
   if (face != kNone) {
-    part(corners, face);
+    part(polygon, face);
   } else if (active_.crossing()) {
-    share(corners);
+    share(polygon);
   }
 }
 

@@ -84,7 +84,7 @@ class CellScanner {
   std::vector<Clip> clips_;
   std::vector<double> heights_;
   std::vector<Side> sides_;
-  std::vector<Vec2> mine_, kept_;
+  std::vector<Vec2> inside_, mine_, kept_;
 };
 
 }  // namespace overstrike
