@@ -23,6 +23,8 @@ struct Format {
 constexpr Format kFormats[] = {
     {"stl", check_stl, read_stl},
     {"obj", check_text, read_obj},
+    {"off", check_text, read_off},
+    {"ply", check_ply, read_ply},
 };
 
 const Format* find_format(std::string_view name) {

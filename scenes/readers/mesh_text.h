@@ -57,6 +57,7 @@ class MeshText {
   void join_lines() { joins_ = true; }
 
   int line() const { return line_; }
+  std::size_t offset_of_next_line() const { return next_line_; }
   /// Where `word`, a part of the text, stands; an empty one: where reading stands.
   TextMark mark(std::string_view word) const;
   void error(std::string_view word, std::string message, std::string hint = {});
