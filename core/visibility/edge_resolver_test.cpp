@@ -13,15 +13,16 @@ namespace {
 /// projection, index or identity of planes.
 class BruteForce {
  public:
-  BruteForce(const Canonical& c, const View& view) : c_(c), view_(view) {}
+  /// `eye` as View::eye has it; the light is one too.
+  BruteForce(const Canonical& c, const Vec4& eye) : c_(c), eye_(eye) {}
 
   enum class Answer { seen, hidden, close };
 
   /// `close` when some face's border or plane is nearer than what the comparison can bear.
   Answer look_from(const Vec3& p) const {
-    const Vec3 to_eye = Vec3(view_.eye) - p * view_.eye.w;
+    const Vec3 to_eye = Vec3(eye_) - p * eye_.w;
     Answer answer = Answer::seen;
-    if (c_.ground_z && view_.eye.z > *c_.ground_z * view_.eye.w) {
+    if (c_.ground_z && eye_.z > *c_.ground_z * eye_.w) {
       if (std::fabs(p.z - *c_.ground_z) < kClose) return Answer::close;
       if (p.z < *c_.ground_z) answer = Answer::hidden;
     }
@@ -31,7 +32,7 @@ class BruteForce {
       const double height = plane.offset - glm::dot(plane.normal, p);
       if (std::fabs(height) < 1e-12) continue;  // in its plane
       const double u = height / speed;
-      if (!(u > 0) || (view_.eye.w != 0 && u >= 1)) continue;
+      if (!(u > 0) || (eye_.w != 0 && u >= 1)) continue;
       const Answer at = meets(f, p + to_eye * u, plane.normal);
       if (at == Answer::close || std::fabs(height) < kClose) {
         if (at != Answer::seen) return Answer::close;
@@ -68,7 +69,7 @@ class BruteForce {
   }
 
   const Canonical& c_;
-  const View& view_;
+  const Vec4 eye_;
 };
 
 ShapePtr some_shape(int i, const std::function<double()>& u) {
@@ -120,7 +121,7 @@ TEST_P(AgainstBruteForce, Agrees) {
   add_shadow_outlines(projected, index, cast_shadows(seen, seen, view), lines);
   add_segments(projected, lines);
   EdgeResolver resolver(projected, index);
-  const BruteForce brute(seen, view);
+  const BruteForce brute(seen, view.eye);
   std::mt19937_64 random(GetParam());
   std::uniform_real_distribution<double> uniform(0, 1);
   std::size_t compared[2] = {0, 0}, close = 0;
@@ -150,6 +151,36 @@ TEST_P(AgainstBruteForce, Agrees) {
   EXPECT_GT(compared[0], 100u);
   EXPECT_GT(compared[1], 100u);
   RecordProperty("close", static_cast<int>(close));
+}
+
+/// On one side of a shadow's outline light falls, on the other it does not.
+TEST_P(AgainstBruteForce, ShadowEndsAtItsOutline) {
+  const Scene scene = random_scene(GetParam());
+  const View view = make_view(scene, {120, 90, 1, 1});
+  std::vector<Diagnostic> warnings;
+  const Canonical seen = canonicalize(scene, view, 0.2, warnings);
+  const ProjectedScene projected(seen, view);
+  std::vector<SightLine> lines;
+  add_shadow_outlines(projected, FaceIndex(projected), cast_shadows(seen, seen, view), lines);
+  Canonical casters = seen;
+  casters.ground_z.reset();
+  const BruteForce light(casters, Vec4(*seen.light, 0));
+  std::size_t compared = 0;
+  for (const SightLine& line : lines)
+    for (const Interval& part : line.within) {
+      const double t = part.first + 0.4 * (part.second - part.first);
+      const double s = t * line.a.grid.w / ((1 - t) * line.b.grid.w + t * line.a.grid.w);
+      const Vec3 along = line.b.world - line.a.world;
+      const Vec3 aside = glm::cross(along, projected.plane(line.planes[0]).normal);
+      constexpr double kStep = 1e-5;  // well above what is close, well below the scene's details
+      if (!(glm::length(along) * (part.second - part.first) > kStep)) continue;
+      const Vec3 at = line.a.world + along * s, step = aside * (kStep / glm::length(aside));
+      const auto here = light.look_from(at + step), there = light.look_from(at - step);
+      if (here == BruteForce::Answer::close || there == BruteForce::Answer::close) continue;
+      ++compared;
+      EXPECT_NE(here, there) << line.at(t).x << ", " << line.at(t).y;
+    }
+  EXPECT_GT(compared, 5u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, AgainstBruteForce, testing::Range(1u, 7u));

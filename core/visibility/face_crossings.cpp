@@ -130,7 +130,8 @@ void add_intersections(const ProjectedScene& scene, const FaceIndex& index,
     query.meeting(boxes[i], [&](Index other) {
       const Index g = boxes[other].face, other_body = c.faces[g].body;
       if (other <= i || may_cross[other_body] == 0) return;
-      if (other_body != body || !crossings.share_a_corner(f, g)) crossings.cross(f, g);
+      if (other_body != body || (!c.bodies[body].simple && !crossings.share_a_corner(f, g)))
+        crossings.cross(f, g);
     });
   }
 }
