@@ -167,6 +167,7 @@ class Assembler {
     result.smooth = body.shading == Shading::smooth;
     result.simple =
         !std::holds_alternative<Mesh>(*body.shape) && !std::holds_alternative<Sweep>(*body.shape);
+    result.curved = is_curved(*body.shape);
     result.density_factor = body.density_factor;
     result.pen = body.pen;
     result.source = source;

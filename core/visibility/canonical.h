@@ -45,6 +45,7 @@ struct CanonicalBody {
   bool closed;  ///< every edge has two faces: back faces cannot be seen from outside
   bool smooth;  ///< shaded by corner normals
   bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
+  bool curved;  ///< its facets stand for a curved surface, to the tolerance
   double density_factor;
   int pen;
   Index source;  ///< index into Scene::bodies

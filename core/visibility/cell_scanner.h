@@ -20,9 +20,9 @@
 //     equal depth, each face keeping the convex part where it is nearest.
 //  5. The parts are added with their exact areas.
 //
-// A row so crowded that its borders are nearer to one another than `tolerance` everywhere is
-// averaged over scan lines `2 tolerance` apart instead: the same promise at a cost that does not
-// grow with what is hidden.
+// A row with so many edges, most of them hidden, that none of its columns is without several is
+// averaged over scan lines `2 tolerance` apart instead, for the same promise. Scenes of flat-faced
+// bodies, exact whatever the tolerance, are cut exactly up to five times the crowd.
 #include <vector>
 
 #include "core/visibility/active_faces.h"
@@ -79,6 +79,7 @@ class CellScanner {
   CellAccumulator cells_;
   LineScanner lines_;
   double tolerance_;
+  double most_edges_;  ///< on a row that is cut exactly
   std::vector<DensityRun> runs_;
   double top_ = 0;
   std::vector<Clip> clips_;
