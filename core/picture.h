@@ -37,8 +37,12 @@ std::string_view to_string(Kind);
 constexpr std::uint32_t kNoSurface = 0xFFFFFFFFu;
 
 /// What lies on [x0, x1) of a scan line. Runs of a line are sorted, disjoint and not empty; gaps
-/// are bare paper. Density is linear in x between the ends. `surface` is the face's number in the
-/// canonical input (equal numbers: the same face), `body` the body's.
+/// are bare paper. Density is linear in x between the ends.
+///
+/// `surface` and `body` tell runs of one drawing apart: equal numbers, the same face and the same
+/// body. They count the faces and bodies that are left after near clipping: the canonical input
+/// itself where nothing is clipped (bodies then in the scene's order, without those that have no
+/// shape or no finite place), else what clip() made of it. Both are kNoSurface on the ground.
 struct DensityRun {
   double x0, x1;
   double density0, density1;
@@ -74,8 +78,9 @@ std::string_view to_string(StrokeKind);
 struct Stroke {
   std::vector<Vec2> points;
   StrokeKind kind;
-  std::uint32_t body;  ///< kNoSurface for segments in space and ground shadow outlines
-  int pen = 0;         ///< the pen class the scene gave; 0: the device's choice
+  /// As in DensityRun; kNoSurface for segments in space and ground shadow outlines.
+  std::uint32_t body;
+  int pen = 0;  ///< the pen class the scene gave; 0: the device's choice
   bool hidden = false;
 };
 
