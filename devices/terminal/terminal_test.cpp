@@ -1,9 +1,13 @@
 #include "devices/terminal/terminal.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace overstrike {
 namespace {
@@ -74,6 +78,43 @@ TEST(Terminal, AsksTheEnvironment) {
   ::setenv("LC_ALL", "C.UTF-8", 1);
   ::setenv("TERM", "dumb", 1);
   EXPECT_EQ(rows(), 5);
+}
+
+/// Standard output is a file while this lives, so that there is no window whose size it could tell.
+class NoWindow {
+ public:
+  NoWindow() : kept_(::dup(STDOUT_FILENO)) {
+    std::fflush(stdout);
+    const int nothing = ::open("/dev/null", O_WRONLY);
+    ::dup2(nothing, STDOUT_FILENO);
+    ::close(nothing);
+  }
+  ~NoWindow() {
+    ::dup2(kept_, STDOUT_FILENO);
+    ::close(kept_);
+  }
+  NoWindow(const NoWindow&) = delete;
+  NoWindow& operator=(const NoWindow&) = delete;
+
+ private:
+  int kept_;
+};
+
+TEST(Terminal, WithoutAWindowTakesTheEnvironmentsSize) {
+  const auto size = [](const char* columns, const char* lines) {
+    const NoWindow no_window;
+    columns == nullptr ? ::unsetenv("COLUMNS") : ::setenv("COLUMNS", columns, 1);
+    lines == nullptr ? ::unsetenv("LINES") : ::setenv("LINES", lines, 1);
+    std::string bytes;
+    const Grid grid =
+        terminal_device().make({{"blocks", "ascii"}}, "-", open_memory(bytes))->layout().grid;
+    return std::pair(grid.columns, grid.rows);
+  };
+  EXPECT_EQ(size("132", "50"), std::pair(132.0, 49.0));  // a line is left for the prompt
+  EXPECT_EQ(size("7", "1"), std::pair(7.0, 1.0));
+  EXPECT_EQ(size(nullptr, nullptr), std::pair(80.0, 23.0));
+  EXPECT_EQ(size("wide", "-3"), std::pair(80.0, 23.0));
+  EXPECT_EQ(size("0", "10001"), std::pair(80.0, 23.0));
 }
 
 TEST(Terminal, RefusesWhatItDoesNotKnow) {
