@@ -71,12 +71,19 @@ std::vector<Vec3> smooth_normals(const Polyhedron& p, const std::vector<EdgePair
         corners.join(corner_of(p, edges[i].left, v), corner_of(p, edges[i].right, v));
   const std::vector<Vec3> normals = face_normals(p);
   std::vector<Vec3> sums(p.indices.size(), Vec3(0.0));
+  std::vector<Index> joined(p.indices.size(), 0);
   for (Index f = 0; f < p.face_count(); ++f)
     for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l)
-      for (Index i = p.first_index(l); i < p.loop_ends[l]; ++i)
+      for (Index i = p.first_index(l); i < p.loop_ends[l]; ++i) {
         sums[corners.root(i)] += normals[f] * angle_at(p, l, i);
-  std::vector<Vec3> result(p.indices.size());
-  for (Index i = 0; i < result.size(); ++i) result[i] = unit(sums[corners.root(i)]);
+        ++joined[corners.root(i)];
+      }
+  std::vector<Vec3> result;
+  for (Index f = 0; f < p.face_count(); ++f)
+    for (Index i = p.first_index(p.first_loop(f)); i < p.loop_ends[p.face_ends[f] - 1]; ++i) {
+      const Index root = corners.root(i);
+      result.push_back(joined[root] == 1 ? normals[f] : unit(sums[root]));
+    }
   return result;
 }
 

@@ -13,7 +13,8 @@ constexpr double kCreaseCosine = 0.8660254037844387;
 std::vector<bool> shallow_edges(const Polyhedron& polyhedron, const std::vector<EdgePair>& edges);
 
 /// One normal a corner: the mean of the normals of the faces round its vertex that `smooth` edges
-/// join to its own, weighted by their angles there.
+/// join to its own, weighted by their angles there. A corner that is joined to none has its face's
+/// normal, to the last bit.
 std::vector<Vec3> smooth_normals(const Polyhedron& polyhedron, const std::vector<EdgePair>& edges,
                                  const std::vector<bool>& smooth);
 

@@ -97,7 +97,9 @@ std::vector<Side> sides_of(std::span<const std::vector<Vec3>> loops, const Vec3&
   return sides;
 }
 
-bool is_convex(const std::vector<Vec3>& loop, const Vec3& normal) {
+}  // namespace
+
+bool is_convex(std::span<const Vec3> loop, const Vec3& normal) {
   const std::size_t n = loop.size();
   int peaks = 0;  // of x; a convex loop has one
   for (std::size_t i = 0; i < n; ++i) {
@@ -108,8 +110,6 @@ bool is_convex(const std::vector<Vec3>& loop, const Vec3& normal) {
   }
   return peaks == 1;
 }
-
-}  // namespace
 
 std::vector<std::array<Index, 3>> triangles_of(std::span<const Vec3> loop, const Vec3& normal) {
   return loop.size() < 3 ? std::vector<std::array<Index, 3>>{} : EarCutter(loop, normal).cut();

@@ -28,8 +28,7 @@ void drop_lone_planes(Polyhedron& p) {
 }
 
 Polyhedron tessellate(const Shape& shape, double chord, bool normals) {
-  const bool with_normals = normals && is_curved(shape);
-  const auto round = [&](const auto& s) { return faces_of(s, chord, with_normals); };
+  const auto round = [&](const auto& s) { return faces_of(s, chord, normals); };
   return std::visit(Overloaded{[&](const Frustum& s) { return round(s); },
                                [&](const Ellipsoid& s) { return round(s); },
                                [&](const Torus& s) { return round(s); },

@@ -8,7 +8,8 @@ namespace overstrike {
 /// The shape as faces in its own frame. Curved shapes get the fewest facets that keep every chord
 /// within `chord` (units of the own frame) of the true surface: at least 3 sides, at most 4096
 /// round a circle. Vertices lie on the true surface. Flat-faced shapes ignore `chord`. With
-/// `normals`, corner normals of the true surface are given for curved shapes (creases such as a
+/// `normals`, corner normals of the true surface are given for curved shapes, and for those with
+/// `sides` of their own the normals of the surface that they would have without (creases such as a
 /// cylinder's rim keep two normals). Precondition: validate() is empty. Deterministic to the bit.
 ///
 /// Solids are closed: every directed edge has one opposite, and no two vertices have equal

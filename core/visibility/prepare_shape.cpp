@@ -1,8 +1,11 @@
 #include "core/visibility/prepare_shape.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "core/geometry/repair.h"
+#include "core/geometry/shadeable.h"
 #include "core/geometry/smooth_normals.h"
 #include "core/geometry/tessellate.h"
 
@@ -35,6 +38,22 @@ bool smooth_by_normals(const Polyhedron& p, const EdgePair& e) {
 /// in a scene means its edges, unless it is to be shaded smoothly.
 bool stands_for_surface(const Mesh& mesh, bool smooth) { return smooth || !mesh.source.empty(); }
 
+/// Cuts faces that could not be shaded smoothly as they are; the cuts are no creases.
+void make_shadeable(PreparedShape& shape) {
+  if (is_shadeable(shape.polyhedron)) return;
+  Polyhedron cut = shadeable(shape.polyhedron);
+  std::map<std::pair<Index, Index>, bool> was_smooth;
+  for (std::size_t i = 0; i < shape.edges.size(); ++i)
+    was_smooth[std::minmax(shape.edges[i].from, shape.edges[i].to)] = shape.smooth_edge[i];
+  shape.polyhedron = std::move(cut);
+  shape.edges = pair_edges(shape.polyhedron);
+  shape.smooth_edge.clear();
+  for (const EdgePair& e : shape.edges) {
+    const auto found = was_smooth.find(std::minmax(e.from, e.to));
+    shape.smooth_edge.push_back(found == was_smooth.end() || found->second);
+  }
+}
+
 PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
   PreparedShape result;
   result.polyhedron = repaired(mesh.polyhedron, {mesh.precision, false, mesh.lines}, result.flaws);
@@ -49,17 +68,24 @@ PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
     result.smooth_edge = shallow_edges(p, result.edges);
     if (smooth) p.corner_normals = smooth_normals(p, result.edges, result.smooth_edge);
   }
+  if (smooth) make_shadeable(result);
   return result;
 }
 
-PreparedShape prepare_solid(const Shape& shape, double chord) {
+PreparedShape prepare_solid(const Shape& shape, double chord, bool smooth) {
   PreparedShape result;
-  result.polyhedron = tessellate(shape, chord, is_curved(shape));
+  result.polyhedron = tessellate(shape, chord, smooth || is_curved(shape));
   if (std::holds_alternative<FlatPolygon>(shape))
     result.polyhedron = repaired(result.polyhedron, {0, true, {}}, result.flaws);
-  result.edges = pair_edges(result.polyhedron);
-  for (const EdgePair& e : result.edges)
-    result.smooth_edge.push_back(smooth_by_normals(result.polyhedron, e));
+  Polyhedron& p = result.polyhedron;
+  result.edges = pair_edges(p);
+  if (smooth && p.corner_normals.empty()) {
+    result.smooth_edge = shallow_edges(p, result.edges);
+    p.corner_normals = smooth_normals(p, result.edges, result.smooth_edge);
+    make_shadeable(result);
+  } else {
+    for (const EdgePair& e : result.edges) result.smooth_edge.push_back(smooth_by_normals(p, e));
+  }
   return result;
 }
 
@@ -68,7 +94,7 @@ PreparedShape prepare_solid(const Shape& shape, double chord) {
 PreparedShape prepare_shape(const Shape& shape, double chord, bool smooth) {
   const Mesh* mesh = std::get_if<Mesh>(&shape);
   PreparedShape result =
-      mesh != nullptr ? prepare_mesh(*mesh, smooth) : prepare_solid(shape, chord);
+      mesh != nullptr ? prepare_mesh(*mesh, smooth) : prepare_solid(shape, chord, smooth);
   result.closed = std::none_of(result.edges.begin(), result.edges.end(),
                                [](const EdgePair& e) { return e.right == kNoFace; });
   return result;

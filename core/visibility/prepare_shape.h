@@ -16,8 +16,9 @@ struct PreparedShape {
   std::vector<std::string> flaws;  ///< what was repaired, or could not be; in words
 };
 
-/// Tessellates to `chord` (units of the shape's frame) and repairs. `smooth` gives corner normals
-/// also to a mesh that brings none.
+/// Tessellates to `chord` (units of the shape's frame) and repairs. With `smooth`, every shape has
+/// corner normals: its own, or else means over edges that are shallower than 30 degrees. Faces
+/// whose corner normals differ are then triangles or convex.
 PreparedShape prepare_shape(const Shape& shape, double chord, bool smooth);
 
 }  // namespace overstrike
