@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "scenes/readers/mesh_assimp.h"
 #include "scenes/readers/mesh_build.h"
 #include "scenes/readers/mesh_file.h"
 #include "scenes/readers/mesh_readers.h"
@@ -14,17 +15,24 @@
 namespace overstrike {
 namespace {
 
+/// A format of our own readers; without `read` Assimp's.
 struct Format {
   std::string_view name;
   void (*check)(std::string_view head, std::uint64_t size, const std::string& name);
   Mesh (*read)(std::string_view bytes, const std::string& name, Warnings& warnings);
 };
 
+void check_not_empty(std::string_view head, std::uint64_t, const std::string& name) {
+  if (head.empty()) fail_mesh(name, "the file is empty");
+}
+
 constexpr Format kFormats[] = {
-    {"stl", check_stl, read_stl},
-    {"obj", check_text, read_obj},
-    {"off", check_text, read_off},
-    {"ply", check_ply, read_ply},
+    {"stl", check_stl, read_stl},       {"obj", check_text, read_obj},
+    {"off", check_text, read_off},      {"ply", check_ply, read_ply},
+    {"3mf", check_not_empty, nullptr},  {"glb", check_not_empty, nullptr},
+    {"gltf", check_not_empty, nullptr}, {"dae", check_not_empty, nullptr},
+    {"fbx", check_not_empty, nullptr},  {"3ds", check_not_empty, nullptr},
+    {"x3d", check_not_empty, nullptr},
 };
 
 const Format* find_format(std::string_view name) {
@@ -45,6 +53,23 @@ const Format& format_of(std::string extension, const std::string& name) {
             "known are " + known);
 }
 
+Mesh read_bytes(std::string_view bytes, const Format& format, const std::string& name,
+                Warnings& warnings) {
+  if (format.read) return format.read(bytes, name, warnings);
+  check_not_empty(bytes, bytes.size(), name);
+  return read_by_assimp(bytes, std::string(format.name), name);
+}
+
+Mesh read_path(const std::filesystem::path& path, const Format& format, Warnings& warnings) {
+  std::error_code none;
+  if (!format.read && std::filesystem::is_regular_file(path, none)) {
+    // Assimp opens what lies beside the file, too.
+    if (std::filesystem::file_size(path, none) == 0) fail_mesh(path.string(), "the file is empty");
+    return read_by_assimp(path, std::string(format.name));
+  }
+  return read_bytes(read_mesh_file(path, format.check), format, path.string(), warnings);
+}
+
 }  // namespace
 
 void check_text(std::string_view head, std::uint64_t, const std::string& name) {
@@ -60,16 +85,14 @@ bool is_mesh_format(std::string_view format) { return find_format(format) != nul
 Mesh read_mesh(const std::filesystem::path& path, std::vector<Diagnostic>& warnings) {
   std::string extension = path.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
-  const Format& format = format_of(extension, path.string());
-  const std::string bytes = read_mesh_file(path, format.check);
-  Mesh mesh = format.read(bytes, path.string(), warnings);
+  Mesh mesh = read_path(path, format_of(extension, path.string()), warnings);
   mesh.source = path.string();
   return mesh;
 }
 
 Mesh read_mesh_text(std::string_view text, std::string_view format, const std::string& name,
                     std::vector<Diagnostic>& warnings) {
-  Mesh mesh = format_of(std::string(format), name).read(text, name, warnings);
+  Mesh mesh = read_bytes(text, format_of(std::string(format), name), name, warnings);
   mesh.source = name;
   return mesh;
 }

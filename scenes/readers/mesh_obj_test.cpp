@@ -68,6 +68,9 @@ TEST(Obj, SaysWhatIsWrong) {
        "    f 1 2 3x 4/y/\n               ^\n"
        "m.obj:6:7: error: vertex's z must be a number, found 'three'\n    v 1 2 three\n"
        "          ^"},
+      {"long and odd", kSquare + "f 1 2 \x1b" + std::string(50, '7') + "\n",
+       "m.obj:5:7: error: the number of a vertex must be a whole number, found '?" +
+           std::string(39, '7') + "...'\n    f 1 2 \x1b" + std::string(50, '7') + "\n          ^"},
       {"a comma", "v 1,5 2 3\nf 1 1 1",
        "m.obj:1:3: error: vertex's x must be a number, found '1,5'\n    v 1,5 2 3\n      ^"},
       {"on a joined line", "v 0 0 \\\n x\nf 1 1 1",

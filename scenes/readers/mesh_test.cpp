@@ -73,7 +73,7 @@ TEST_F(MeshFileTest, SaysWhatItCannotRead) {
             path("folder.stl") + ": error: is a directory, not a mesh file");
   fs::create_symlink("/dev/null", folder_ / "null.obj");
   EXPECT_EQ(error(path("null.obj")), path("null.obj") + ": error: is neither a file nor a pipe");
-  for (const char* name : {"e.stl", "e.obj"})
+  for (const char* name : {"e.stl", "e.obj", "e.off", "e.ply"})
     EXPECT_THAT(error(write(name, "")), testing::HasSubstr(": error: the file is empty"));
 }
 
@@ -86,7 +86,7 @@ long peak_kilobytes() {
 // Files of 1 GB and claims of 4 billion are refused by their first bytes: no memory is spent.
 TEST_F(MeshFileTest, HugeFilesThatAreNoMeshesCostNothing) {
   const long before = peak_kilobytes();
-  for (const char* name : {"zeros.stl", "zeros.obj"}) {
+  for (const char* name : {"zeros.stl", "zeros.obj", "zeros.off", "zeros.ply"}) {
     const fs::path path = write(name, "");
     fs::resize_file(path, std::uintmax_t{1} << 30);  // sparse
     EXPECT_THAT(error(path), testing::HasSubstr("error: "));

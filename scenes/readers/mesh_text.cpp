@@ -185,8 +185,10 @@ std::optional<std::int64_t> MeshText::whole_number(std::string_view word, std::s
 
 std::string found(std::string_view word) {
   if (word.empty()) return "the end of the line";
-  if (word.size() <= kLongestQuote) return in_quotes(word);
-  return in_quotes(std::string(word.substr(0, kLongestQuote)) + "...");
+  std::string text(word.substr(0, kLongestQuote));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';  // no terminal obeys it
+  return in_quotes(word.size() > kLongestQuote ? text + "..." : text);
 }
 
 std::string in_thousands(std::uint64_t number) {
