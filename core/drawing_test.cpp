@@ -262,6 +262,24 @@ TEST(Drawing, TurnedLinesSeeTheSameArea) {
   }
 }
 
+/// Lines that run backwards end at 0, where the next one starts in its own grid: no run may be
+/// carried from line to line.
+TEST(Drawing, LinesThatRunBackwardsSeeTheSame) {
+  Scene scene;
+  look_down(scene, 20, 20);
+  add(scene, Box{{30, 30, 1}}, {10, -10, 0});
+  for (const double angle : {180.0, -180.0, -90.0, 270.0}) {
+    const auto rows = runs_of(scene, square_grid(20, 20), {angle, 1, 0.5});
+    SCOPED_TRACE(angle);
+    ASSERT_FALSE(rows.empty());
+    for (const auto& row : rows) {
+      ASSERT_EQ(row.size(), 1u);
+      EXPECT_EQ(row[0].x0, -20);
+      EXPECT_EQ(row[0].x1, 0);
+    }
+  }
+}
+
 TEST(Drawing, ASinkThatThrowsEndsTheWork) {
   Drawing drawing(crowd(1, 5), square_grid(40, 300), {});
   int rows = 0;

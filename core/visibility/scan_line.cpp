@@ -56,6 +56,7 @@ LineScanner::LineScanner(const EyeTable& table, double density_tolerance)
 
 void LineScanner::resolve(double y, const std::vector<Index>& edges,
                           std::vector<DensityRun>& runs) {
+  first_run_ = runs.size();
   passing_.clear();
   for (const Index e : edges) {
     const ScanEdge& edge = table_.edges[e];
@@ -110,7 +111,7 @@ void LineScanner::emit(double x0, double x1, double y, Index face, std::vector<D
     return;
   }
   if (!shadowed) run.density0 = run.density1 = f.density;
-  const bool continues = !runs.empty() && runs.back().x1 == x0 &&
+  const bool continues = runs.size() > first_run_ && runs.back().x1 == x0 &&
                          runs.back().surface == run.surface && runs.back().kind == run.kind &&
                          runs.back().density1 == run.density0 &&
                          runs.back().density0 == run.density0;

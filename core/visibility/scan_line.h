@@ -46,6 +46,7 @@ class LineScanner {
 
   const EyeTable& table_;
   double density_tolerance_;
+  std::size_t first_run_ = 0;  ///< of the present line; runs before it are other lines'
   ActiveFaces active_;
   std::vector<Passing> passing_;
   std::vector<SpanPiece> pieces_;
