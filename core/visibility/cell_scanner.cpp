@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/visibility/line_averager.h"
+
 namespace overstrike {
 namespace {
 
@@ -51,16 +53,6 @@ CellScanner::CellScanner(const EyeTable& table, double tolerance)
 
 bool CellScanner::crowded() const { return static_cast<double>(clips_.size()) > most_edges_; }
 
-/// The middles of strips of the row; a border is off by at most half a strip.
-void CellScanner::average_lines(const std::vector<Index>& edges) {
-  const int n = std::clamp(static_cast<int>(std::ceil(0.5 / tolerance_)), 1, 64);
-  for (int i = 0; i < n; ++i) {
-    runs_.clear();
-    lines_.resolve(top_ + (i + 0.5) / n, edges, runs_);
-    for (const DensityRun& run : runs_) cells_.add_run(run, 1.0 / n);
-  }
-}
-
 double CellScanner::x_at(const Clip& clip, double y) const {
   if (y == clip.ya) return clip.xa;
   if (y == clip.yb) return clip.xb;
@@ -99,7 +91,8 @@ std::span<const float> CellScanner::resolve(std::int64_t row, const std::vector<
   gather(edges, flat_edges);
   cells_.clear();
   if (crowded()) {
-    average_lines(edges);
+    average_lines(top_, tolerance_, cells_, runs_,
+                  [&](double y, std::vector<DensityRun>& runs) { lines_.resolve(y, edges, runs); });
     return cells_.finish();
   }
   double low = 0, high = table_.columns;

@@ -61,7 +61,6 @@ class CellScanner {
   void gather(const std::vector<Index>& edges, const std::vector<Index>& flat_edges);
   void add_clip(Index edge, double ya, double yb);
   bool crowded() const;
-  void average_lines(const std::vector<Index>& edges);
   void resolve_band(const Band& band, std::size_t first, double low, double high);
   void cluster(const Band& band, std::size_t first, std::size_t last, double low, double high);
   void halves(const Band& band, std::size_t first, std::size_t last, double low, double high);
