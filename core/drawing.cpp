@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "core/geometry/trig.h"
 #include "core/in_order.h"
@@ -11,6 +12,9 @@
 #include "core/visibility/cell_scanner.h"
 #include "core/visibility/clip.h"
 #include "core/visibility/eye_table.h"
+#include "core/visibility/line_averager.h"
+#include "core/visibility/nn74/conditions.h"
+#include "core/visibility/nn74/paint.h"
 #include "core/visibility/scan_line.h"
 #include "core/visibility/shadows.h"
 #include "core/visibility/strokes.h"
@@ -116,6 +120,39 @@ void shift_and_clip(std::vector<DensityRun>& runs, std::size_t from, double shif
   runs.resize(out);
 }
 
+/// Rows of cells, of whatever method.
+class RowResolver {
+ public:
+  virtual ~RowResolver() = default;
+  /// The row's cells; `band` holds the row. Valid until the next call.
+  virtual std::span<const float> resolve(std::int64_t row, std::size_t band) = 0;
+};
+
+class ScannedRows : public RowResolver {
+ public:
+  ScannedRows(const EyeTable& table, const Bands& bands, double tolerance)
+      : bands_(bands), scanner_(table, tolerance) {}
+  std::span<const float> resolve(std::int64_t row, std::size_t band) override {
+    return scanner_.resolve(row, bands_.edges(band), bands_.flat_edges(band));
+  }
+
+ private:
+  const Bands& bands_;
+  CellScanner scanner_;
+};
+
+class AveragedRows : public RowResolver {
+ public:
+  AveragedRows(const RunSource& source, double columns, double tolerance)
+      : lines_(source.scanner(), columns, tolerance) {}
+  std::span<const float> resolve(std::int64_t row, std::size_t) override {
+    return lines_.resolve(row);
+  }
+
+ private:
+  LineAverager lines_;
+};
+
 }  // namespace
 
 struct Drawing::Impl {
@@ -126,12 +163,32 @@ struct Drawing::Impl {
     clipped = view.near_plane && needs_clip(whole, *view.near_plane);
     if (clipped) cut = clip(whole, *view.near_plane);
     timings.eye_ms += eye_watch.ms();
+    if (options.method == Method::nn74) {
+      prepare_nn74(scene);
+    } else {
+      prepare_lines();
+    }
+  }
+
+  void prepare_lines() {
     Stopwatch light_watch;
     shadows = cast_shadows(whole, seen(), view);
     timings.light_ms += light_watch.ms();
     Stopwatch table_watch;
-    table = std::make_unique<EyeTable>(seen(), view, shadows);
+    table = std::make_unique<EyeTable>(seen(), view, *shadows);
     timings.eye_ms += table_watch.ms();
+  }
+
+  void prepare_nn74(const Scene& scene) {
+    Stopwatch check_watch;
+    nn74::check_conditions(scene, whole, view);
+    timings.eye_ms += check_watch.ms();
+    Stopwatch light_watch;
+    light = nn74::cast(whole, seen(), view);
+    timings.light_ms += light_watch.ms();
+    Stopwatch picture_watch;
+    painted = std::make_unique<nn74::PaintSource>(seen(), view, light);
+    timings.eye_ms += picture_watch.ms();
   }
 
   const Canonical& seen() const { return clipped ? cut : whole; }
@@ -150,8 +207,10 @@ struct Drawing::Impl {
   View view;
   Canonical whole, cut;
   bool clipped = false;
-  std::vector<Shadow> shadows;
-  std::unique_ptr<EyeTable> table;
+  std::optional<std::vector<Shadow>> shadows;  ///< of the line resolver; strokes need them too
+  std::unique_ptr<EyeTable> table;             ///< of the line resolver
+  nn74::LightPhase light;
+  std::unique_ptr<nn74::PaintSource> painted;  ///< of NN74's method; else there is a table
   std::vector<Diagnostic> warnings;
   Timings timings;
 
@@ -169,16 +228,19 @@ void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
   constexpr std::size_t kMostRows = 16, kMostCells = std::size_t{1} << 18;
   const std::size_t at_once =
       std::clamp<std::size_t>(kMostCells / std::max<std::size_t>(columns, 1), 1, kMostRows);
-  const Bands bands(*table, static_cast<double>(at_once));
-  Pool<CellScanner> scanners([&] { return std::make_unique<CellScanner>(*table, options.tolerance); });
+  std::optional<Bands> bands;
+  if (table) bands.emplace(*table, static_cast<double>(at_once));
+  Pool<RowResolver> resolvers([&]() -> std::unique_ptr<RowResolver> {
+    if (!painted) return std::make_unique<ScannedRows>(*table, *bands, options.tolerance);
+    return std::make_unique<AveragedRows>(*painted, grid.columns, options.tolerance);
+  });
   std::vector<std::vector<float>> slots(slots_for(options.threads));
   const std::size_t count = (rows + at_once - 1) / at_once;
   const auto compute = [&](std::size_t band, std::size_t slot) {
     slots[slot].clear();
-    scanners.use([&](CellScanner& scanner) {
+    resolvers.use([&](RowResolver& resolver) {
       for (std::size_t row = band * at_once; row < std::min(rows, (band + 1) * at_once); ++row) {
-        const std::span<const float> cells = scanner.resolve(
-            static_cast<std::int64_t>(row), bands.edges(band), bands.flat_edges(band));
+        const std::span<const float> cells = resolver.resolve(static_cast<std::int64_t>(row), band);
         slots[slot].insert(slots[slot].end(), cells.begin(), cells.end());
       }
     });
@@ -248,14 +310,19 @@ void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, doub
 void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink) {
   const FamilyFrame frame(family, grid);
   if (family.angle_deg == 0) {
-    scan(LineSource(*table, density_tolerance()), frame, 0, sink);
-    return;
+    if (painted) return scan(*painted, frame, 0, sink);
+    return scan(LineSource(*table, density_tolerance()), frame, 0, sink);
   }
   Stopwatch watch;
   View turned_view = turned(view, family.angle_deg, frame.origin(), 1);
   turned_view.grid.columns = frame.high.x - frame.low.x;
   turned_view.grid.rows = frame.high.y - frame.low.y;
-  const EyeTable turned_table(seen(), turned_view, shadows);
+  if (painted) {
+    const nn74::PaintSource turned_picture(seen(), turned_view, light);
+    timings.eye_ms += watch.ms();
+    return scan(turned_picture, frame, frame.low.x, sink);
+  }
+  const EyeTable turned_table(seen(), turned_view, *shadows);
   timings.eye_ms += watch.ms();
   scan(LineSource(turned_table, density_tolerance()), frame, frame.low.x, sink);
 }
@@ -273,8 +340,10 @@ void Drawing::runs(const ScanFamily& family, const std::function<void(const RunR
 
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
   Stopwatch watch;
-  std::vector<Stroke> strokes = visible_strokes(impl_->seen(), impl_->view, impl_->shadows, options,
-                                                impl_->options.tolerance);
+  Impl& impl = *impl_;
+  if (!impl.shadows) impl.shadows = cast_shadows(impl.whole, impl.seen(), impl.view);
+  std::vector<Stroke> strokes =
+      visible_strokes(impl.seen(), impl.view, *impl.shadows, options, impl.options.tolerance);
   impl_->timings.scan_ms += watch.ms();
   return strokes;
 }
