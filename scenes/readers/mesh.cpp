@@ -105,6 +105,8 @@ Scene scene_of_mesh(Mesh mesh, const std::string& name) {
   scene.light = Direction{-20, 45};
   Body body;
   body.shape = std::make_shared<const Shape>(std::move(mesh));
+  body.shading =
+      Shading::smooth;  // creases stay, facets that stand for something round do not show
   body.name = name;
   body.place = {name, 0, 0};
   scene.bodies.push_back(std::move(body));

@@ -18,8 +18,9 @@ Mesh read_mesh_text(std::string_view text, std::string_view format, const std::s
                     std::vector<Diagnostic>& warnings);
 bool is_mesh_format(std::string_view format);
 
-/// A scene of one mesh: the body as it stands, seen from azimuth -60, elevation 25, lit from
-/// azimuth -20, elevation 45, on a ground under its lowest point.
+/// A scene of one mesh: the body as it stands, shaded smoothly between its creases, seen from
+/// azimuth -60, elevation 25, lit from azimuth -20, elevation 45, on a ground under its lowest
+/// point.
 Scene scene_of_mesh(Mesh mesh, const std::string& name);
 
 }  // namespace overstrike
