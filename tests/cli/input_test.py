@@ -14,6 +14,13 @@ class Input(CommandTest):
     def write(self, name, content):
         (self.folder / name).write_bytes(content)
 
+    def test_nn74_names_two_bodies_that_interpenetrate(self):
+        self.write("two.yaml", b"bodies:\n  - {name: left, box: [2, 2, 2]}\n"
+                               b"  - {name: right, box: [2, 2, 2], at: [1, 0, 0]}\n")
+        self.assert_refused("render", "two.yaml", "-o", "page.txt", "--method", "nn74",
+                            says=["left", "right", "interpenetrate", "two.yaml:"])
+        self.assertNotIn("page.txt", self.names())
+
     def test_missing_file(self):
         self.assert_bad_scene("none.yaml", ["none.yaml", "error:"])
         self.assert_bad_scene("none.stl", ["none.stl", "error:"])
