@@ -11,15 +11,18 @@ std::size_t count_seen(const ProjectedScene& scene) {
   return count;
 }
 
+/// Of all loops: a face that was clipped may be in several parts, or name a hole first.
 FaceBox box_of(const ProjectedScene& scene, Index face) {
   const CanonicalFace& f = scene.canonical.faces[face];
   FaceBox box{Vec2(1e300), Vec2(-1e300), 1e300, -1e300, face};
-  for (const Index v : scene.canonical.loop(f.first_loop)) {
-    const GridPoint& p = scene.points[v];
-    box.low = glm::min(box.low, p.xy() - p.error), box.high = glm::max(box.high, p.xy() + p.error);
-    box.far = std::min(box.far, p.at.z - p.depth_error);
-    box.near = std::max(box.near, p.at.z + p.depth_error);
-  }
+  for (Index l = f.first_loop; l < f.end_loop; ++l)
+    for (const Index v : scene.canonical.loop(l)) {
+      const GridPoint& p = scene.points[v];
+      box.low = glm::min(box.low, p.xy() - p.error),
+      box.high = glm::max(box.high, p.xy() + p.error);
+      box.far = std::min(box.far, p.at.z - p.depth_error);
+      box.near = std::max(box.near, p.at.z + p.depth_error);
+    }
   return box;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/drawing.h"
 #include "core/geometry/trig.h"
 
 namespace overstrike {
@@ -248,6 +249,22 @@ TEST(Strokes, ShadowsThatOverlapHaveOneOutline) {
                 {at(-1, 1), at(0, 1), at(0, 2), at(2, 2), at(2, 0), at(1, 0), at(1, -1), at(-1, -1),
                  at(-1, 1)},
                 1e-11);
+}
+
+/// Of a plate that the near plane cuts, the hole that is left whole comes before the outline.
+TEST(Strokes, APlateThatIsCutHidesWhatLiesBelowIt) {
+  const FlatPolygon holed{{{{-9, -20, 0}, {9, -20, 0}, {9, 6, 0}, {-9, 6, 0}},
+                           {{-8, 4, 0}, {-7, 4, 0}, {-7, 5, 0}, {-8, 5, 0}}}};
+  Scene scene;
+  scene.bodies = {placed(std::make_shared<const Shape>(holed), {0, 0, 0}),
+                  placed(box({2, 2, 1}), {0, 0, -2})};
+  scene.camera.eye = Vec3(0, -10, 4);
+  scene.camera.target = Vec3(0, 0, 0);
+  scene.camera.near_distance = 0.5;
+  scene.camera.fov_deg = 90;
+  const auto strokes = Drawing(scene, kPage, {}).strokes({});
+  EXPECT_FALSE(strokes.empty());
+  for (const Stroke& s : strokes) EXPECT_EQ(s.body, 0u) << to_string(s.kind);
 }
 
 TEST(Strokes, APatternOnAFaceIsSeenAsTheFaceIs) {
