@@ -20,7 +20,10 @@ void print(std::string_view text) {
     throw WorkError(fmt::format("standard output: {}", std::strerror(errno)));
 }
 
-void say(std::string_view text) { fmt::print(stderr, "{}\n", text); }
+void say(std::string_view text) {
+  // A message that cannot be said does not undo the work: no exception, as fmt::print would throw.
+  std::fputs((std::string(text) + "\n").c_str(), stderr);
+}
 
 void say_warnings(std::span<const Diagnostic> warnings) {
   std::set<std::string> said;

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/standard_streams.h"
 #include "cli/usage.h"
 
 namespace overstrike {
@@ -37,6 +38,7 @@ int run_words(const std::vector<std::string>& words) {
 }  // namespace overstrike
 
 int main(int argc, char** argv) {
+  overstrike::fill_closed_standard_streams();
   overstrike::catch_interrupts();
   return overstrike::run_words(std::vector<std::string>(argv + (argc > 0), argv + argc));
 }

@@ -66,10 +66,24 @@ class Output(CommandTest):
             self.assertIn(b"Broken pipe", done.stderr)
 
     def test_a_closed_standard_output(self):
-        done = subprocess.run(["/bin/sh", "-c", f'"{OVERSTRIKE}" render "{SCENE}" -d line-printer >&-'],
+        for words in (*(f'render "{SCENE}" -d {device}' for device in devices()), "--help"):
+            done = subprocess.run(["/bin/sh", "-c", f'"{OVERSTRIKE}" {words} >&-'],
+                                  capture_output=True)
+            self.assertEqual(done.returncode, 1, words)
+            self.assertIn(b"error:", done.stderr)
+
+    def test_a_closed_standard_error_is_not_written_into_the_picture(self):
+        page = self.assert_done("render", SCENE, "-d", "line-printer")
+        words = f'render "{SCENE}" -o page.txt -v --timings 2>&-'
+        done = subprocess.run(["/bin/sh", "-c", f'"{OVERSTRIKE}" {words}'], cwd=self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual((self.folder / "page.txt").read_bytes(), page)
+
+    def test_a_closed_standard_input(self):
+        done = subprocess.run(["/bin/sh", "-c", f'"{OVERSTRIKE}" render - -d line-printer <&-'],
                               capture_output=True)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn(b"error:", done.stderr)
+        self.assertEqual((done.returncode, done.stdout), (1, b""))
+        self.assertIn(b"standard input: Bad file descriptor", done.stderr)
 
     @unittest.skipUnless(Path("/dev/full").exists(), "there is no /dev/full here")
     def test_a_full_disk(self):
