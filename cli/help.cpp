@@ -108,4 +108,9 @@ const SubcommandHelp& subcommand_help(std::string_view name) {
   return *found;
 }
 
+bool is_subcommand(std::string_view name) {
+  return std::any_of(std::begin(kSubcommands), std::end(kSubcommands),
+                     [&](const SubcommandHelp& help) { return help.name == name; });
+}
+
 }  // namespace overstrike

@@ -26,5 +26,7 @@ extern const std::string_view kVersionText;
 const OptionHelp& option_help(std::string_view names);
 /// Precondition: there is such a subcommand.
 const SubcommandHelp& subcommand_help(std::string_view name);
+/// True for the names that subcommand_help() knows.
+bool is_subcommand(std::string_view name);
 
 }  // namespace overstrike

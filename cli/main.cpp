@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/interrupt.h"
 #include "cli/standard_streams.h"
 #include "cli/usage.h"
@@ -17,9 +18,9 @@ int run_words(const std::vector<std::string>& words) {
   try {
     return std::visit([](const auto& command) { return run(command); }, parse_command_line(words));
   } catch (const UsageError& error) {
-    const bool in_render = !words.empty() && !words.front().starts_with('-');
+    const bool in_subcommand = !words.empty() && is_subcommand(words.front());
     say(std::string("overstrike: error: ") + error.what());
-    say("try 'overstrike " + (in_render ? words.front() + " " : std::string()) + "--help'");
+    say("try 'overstrike " + (in_subcommand ? words.front() + " " : std::string()) + "--help'");
     return kBadUsage;
   } catch (const InputError& error) {
     say(error.what());

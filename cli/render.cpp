@@ -29,9 +29,20 @@ DrawOptions draw_options(const RenderCommand& command, Progress& progress) {
   return options;
 }
 
-/// "bunny.png" from "bunny.txt": where an emulator's sheet may go.
+/// "bunny.png" from "bunny.txt": where an emulator's sheet may go without overwriting the output.
 std::string sheet_name(const std::string& output) {
-  return std::filesystem::path(output).replace_extension(".png").string();
+  const std::string name = std::filesystem::path(output).replace_extension(".png").string();
+  return name == output ? output + ".png" : name;
+}
+
+/// The word as a POSIX shell must be told it.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 /// The command that shows the file as its machine would draw it; empty when there is no machine.
@@ -39,7 +50,8 @@ std::string emulate_command(const DeviceChoice& choice, const Settings& settings
   const std::string name(choice.kind->name);
   if (choice.output == "-" || (name != "line-printer" && name != "plotter")) return {};
   std::string command =
-      fmt::format("overstrike emulate {} {} -o {}", name, choice.output, sheet_name(choice.output));
+      fmt::format("overstrike emulate {} {} -o {}", name, shell_word(choice.output),
+                  shell_word(sheet_name(choice.output)));
   // What the emulated machines assume unless told.
   for (const auto& [setting, usual] : std::initializer_list<std::pair<std::string, std::string>>{
            {"lpi", "6"}, {"cpi", "10"}, {"stream", "cr"}, {"paper", "A4"}}) {

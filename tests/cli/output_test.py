@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import unittest
@@ -140,12 +141,14 @@ class Output(CommandTest):
 
     def test_verbose_names_the_command_that_shows_it(self):
         for name, more in (("page.txt", ["--lpi", "8"]), ("page.txt", ["--lpi", "6"]),
-                           ("sheet.hpgl", [])):
+                           ("sheet.hpgl", []), ("Ann's page.txt", []),
+                           ("page.png", ["-d", "line-printer"])):
             _, _, error = overstrike("render", SCENE, "-o", name, "-v", *more, folder=self.folder)
             self.assertIn("1 body", error)
-            command = re.search(r"to see it: overstrike (.*)", error)[1].split()
+            command = shlex.split(re.search(r"to see it: overstrike (.*)", error)[1])
             self.assertEqual(command[2], name)
-            self.assertEqual("--lpi" in command, more == ["--lpi", "8"])
+            eight_lines = name != "sheet.hpgl" and more != ["--lpi", "6"]
+            self.assertEqual("--lpi" in command, eight_lines)
             self.assert_done(*command)
             sheet = (self.folder / command[command.index("-o") + 1]).read_bytes()
             self.assertTrue(sheet.startswith(b"\x89PNG"))

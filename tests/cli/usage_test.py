@@ -8,7 +8,7 @@ from harness import SCENE, CommandTest
 class Usage(CommandTest):
     def test_subcommands(self):
         self.assert_refused(says=["a subcommand is missing", "try 'overstrike --help'"])
-        self.assert_refused("rendr", says="did you mean 'render'?")
+        self.assert_refused("rendr", says=["did you mean 'render'?", "try 'overstrike --help'"])
         self.assert_refused("--verzion", says="did you mean '--version'?")
 
     def test_options(self):
