@@ -85,13 +85,18 @@ TemporaryFile TemporaryFile::create(const fs::path& directory, std::string_view 
   TemporaryFile file;
   file.target_ = target;
   do {
+    leave(file.slot_);
     file.path_ = directory /
                  fmt::format(".{}.{}{}", stem.substr(0, kLongestStem), random_letters(), extension);
+    // Listed before it exists: an interrupt right after open() must find it.
+    file.slot_ = enter(file.path_);
     file.descriptor_ = ::open(file.path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (file.descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
-  if (file.descriptor_ < 0)
-    throw_system_error(fmt::format("cannot write '{}'", target.string()), errno);
-  file.slot_ = enter(file.path_);
+  if (file.descriptor_ < 0) {
+    const int error = errno;
+    file.path_.clear();  // not ours to remove
+    throw_system_error(fmt::format("cannot write '{}'", target.string()), error);
+  }
   return file;
 }
 
