@@ -131,6 +131,26 @@ TEST(Drawing, InterpenetratingBodiesMeetAtTheirCrossing) {
   EXPECT_EQ(row[2].body, 1u);
 }
 
+/// What lies in the ground's plane is seen before it, in a shadow that is darker than it, too.
+TEST(Drawing, ARugIsSeenInTheShadowOfAPlate) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.ground_z = 0;
+  scene.light = Direction{180, 45};
+  const FlatPolygon rug{{{{5, -5, 0}, {7, -5, 0}, {7, -3, 0}, {5, -3, 0}}}};
+  const FlatPolygon plate{{{{-4, -6, 8}, {0, -6, 8}, {0, -2, 8}, {-4, -2, 8}}}};
+  add(scene, rug).density_factor = 0.5;
+  add(scene, plate);  // beside the page; its shadow lies from x = 4 to 8
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  ASSERT_EQ(rows[4].size(), 3u);
+  EXPECT_EQ(rows[4][0].kind, Kind::ground_shadow);
+  EXPECT_EQ(rows[4][1].kind, Kind::shadow);
+  EXPECT_EQ(rows[4][1].density0, 0.5);
+  EXPECT_NEAR(rows[4][1].x0, 5, 1e-12);
+  EXPECT_NEAR(rows[4][1].x1, 7, 1e-12);
+  EXPECT_EQ(rows[4][2].kind, Kind::ground_shadow);
+}
+
 TEST(Drawing, ABodyExactlyHidingAnotherHidesAllOfIt) {
   Scene scene;
   look_down(scene, 10, 8);

@@ -241,11 +241,7 @@ struct Oracle::Impl {
     const Hit h = hit(sight, ground);
     if (!is_there(h)) return darkest(nearest);
     const int order = nearest.empty() ? 1 : compare_depth(h, nearest.front()->at);
-    if (order > 0) return ground_at(h);
-    const Seen face = darkest(nearest);
-    if (order < 0) return face;
-    const Seen below = ground_at(h);
-    return below.density > face.density ? below : face;
+    return order > 0 ? ground_at(h) : darkest(nearest);
   }
 
   int compare(const Meeting& a, const Meeting& b) const {

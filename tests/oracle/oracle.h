@@ -22,8 +22,8 @@
 //     ground is bare paper.
 //  5. The nearest point wins. Among equal depths (faces of one plane) the darker wins, then the one
 //     that is darker away from shadows, then the lexicographically smaller plane (normal x, y, z,
-//     offset), then the smaller sorted list of vertices; at equal density a face wins over the
-//     ground.
+//     offset), then the smaller sorted list of vertices. A face that lies in the ground is seen
+//     before it, whatever their densities.
 //  6. With light L (towards it), a face with dot(seen-side normal, L) <= 0 is shade. Otherwise the
 //     hit point Q on its stored plane is in shadow when the ray Q + t L, t > 0, meets a face of
 //     another plane: the outline is taken along L, t = (offset - n.Q) / (n.L) from the stored

@@ -175,6 +175,21 @@ TEST(Oracle, CubeCastsTheGroundShadowOfNN74) {
   EXPECT_GT(shadows, 10);
 }
 
+/// A pale rug under a plate, in whose shadow the ground beside it is darker.
+TEST(Oracle, ARugIsSeenInTheShadowToo) {
+  Scene scene = looking(Vec3(0), 0, 30);
+  scene.light = Direction{0, 90};
+  scene.ground_z = 0;
+  const FlatPolygon square{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}};
+  scene.bodies = {body(square), body(Box{Vec3(4, 4, 1)}, Vec3(0, 0, 9))};
+  scene.bodies[0].density_factor = 0.5;
+  const Picture picture(scene);
+  const Seen rug = picture.at(50, 50);
+  EXPECT_EQ(rug.body, 0u);
+  EXPECT_EQ(rug.kind, Kind::shadow);
+  EXPECT_EQ(rug.density, 0.5);
+}
+
 TEST(Oracle, GroundIsNotSeenFromBelow) {
   Scene scene = looking(Vec3(0), 0, -30);
   scene.light = Direction{30, 60};
