@@ -12,7 +12,7 @@ namespace {
 /// found from either of two lines differ by their rounding, and no device shows as little.
 constexpr double kSamePlace = 1.0 / 1024;
 
-auto group_of(const Piece& p) { return std::tie(p.body, p.kind, p.pen); }
+auto group_of(const LinePiece& p) { return std::tie(p.body, p.kind, p.pen); }
 
 bool before(const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
@@ -20,12 +20,12 @@ bool before(const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y 
 class Joints {
  public:
   /// Numbers places so that ends in one place have one number.
-  Joints(const std::vector<Piece>& pieces, double same_place) {
+  Joints(const std::vector<LinePiece>& pieces, double same_place) {
     std::vector<Index> order(2 * pieces.size());
     std::iota(order.begin(), order.end(), 0);
     const auto at = [&](Index end) { return end & 1 ? pieces[end / 2].b : pieces[end / 2].a; };
     const auto smaller = [&](Index e, Index f) {
-      const Piece &p = pieces[e / 2], &q = pieces[f / 2];
+      const LinePiece &p = pieces[e / 2], &q = pieces[f / 2];
       if (group_of(p) != group_of(q)) return group_of(p) < group_of(q);
       return at(e) != at(f) ? before(at(e), at(f)) : e < f;
     };
@@ -107,7 +107,7 @@ void set_in_order(std::vector<Vec2>& points) {
 
 class Chainer {
  public:
-  Chainer(const std::vector<Piece>& pieces, double tolerance)
+  Chainer(const std::vector<LinePiece>& pieces, double tolerance)
       : pieces_(pieces),
         tolerance_(tolerance),
         joints_(pieces, tolerance * kSamePlace),
@@ -143,7 +143,7 @@ class Chainer {
   }
 
   Stroke chain(Index piece) {
-    const Piece& first = pieces_[piece];
+    const LinePiece& first = pieces_[piece];
     std::vector<Vec2> points;
     bool curved = true;
     double error = 0;
@@ -163,7 +163,7 @@ class Chainer {
             false};
   }
 
-  const std::vector<Piece>& pieces_;
+  const std::vector<LinePiece>& pieces_;
   double tolerance_;
   Joints joints_;
   std::vector<char> used_;
@@ -172,7 +172,7 @@ class Chainer {
 
 }  // namespace
 
-std::vector<Stroke> chained(const std::vector<Piece>& pieces, double tolerance) {
+std::vector<Stroke> chained(const std::vector<LinePiece>& pieces, double tolerance) {
   return Chainer(pieces, tolerance).run();
 }
 

@@ -32,26 +32,26 @@ int rank_of(StrokeKind kind) {
   return 6;
 }
 
-double length_of(const Piece& p) { return std::sqrt(glm::dot(p.b - p.a, p.b - p.a)); }
+double length_of(const LinePiece& p) { return std::sqrt(glm::dot(p.b - p.a, p.b - p.a)); }
 
 /// Distance of p from the straight line through a piece.
-double off_line(const Piece& line, double length, const Vec2& p) {
+double off_line(const LinePiece& line, double length, const Vec2& p) {
   const Vec2 along = line.b - line.a, v = p - line.a;
   return std::fabs(along.x * v.y - along.y * v.x) / length;
 }
 
 class Merger {
  public:
-  Merger(std::vector<Piece> pieces, const Grid& grid)
+  Merger(std::vector<LinePiece> pieces, const Grid& grid)
       : pieces_(std::move(pieces)),
         cells_(grid.columns, grid.rows, pieces_.size()),
         kept_in_(cells_.size()),
         stamp_(1, 0) {}
 
-  std::vector<Piece> run() {
+  std::vector<LinePiece> run() {
     std::vector<Index> order(pieces_.size());
     std::iota(order.begin(), order.end(), 0);
-    for (const Piece& p : pieces_) lengths_.push_back(length_of(p));
+    for (const LinePiece& p : pieces_) lengths_.push_back(length_of(p));
     std::stable_sort(order.begin(), order.end(), [&](Index p, Index q) {
       const int a = rank_of(pieces_[p].kind), b = rank_of(pieces_[q].kind);
       return a != b ? a < b : lengths_[p] > lengths_[q];
@@ -64,11 +64,13 @@ class Merger {
  private:
   static constexpr Index kNever = 0xFFFFFFFFu;
 
-  double reach(const Piece& p, const Piece& q) const { return kErrorsOfPair * (p.error + q.error); }
+  double reach(const LinePiece& p, const LinePiece& q) const {
+    return kErrorsOfPair * (p.error + q.error);
+  }
 
   /// Keeps what of the piece no kept one covers.
   void add(Index p) {
-    const Piece& piece = pieces_[p];
+    const LinePiece& piece = pieces_[p];
     if (!(lengths_[p] > reach(piece, piece))) return;
     Intervals covered;
     cells_.along(piece.a, piece.b, reach(piece, piece), [&](std::size_t cell) {
@@ -83,7 +85,7 @@ class Merger {
     const double sliver = reach(piece, piece) / lengths_[p];
     bool any = false;
     for (const Interval& part : without({0, 1}, covered, sliver)) {
-      Piece left = piece;
+      LinePiece left = piece;
       if (part.first > 0) left.a = piece.a + (piece.b - piece.a) * part.first;
       if (part.second < 1) left.b = piece.a + (piece.b - piece.a) * part.second;
       kept_.push_back(left);
@@ -98,9 +100,9 @@ class Merger {
 
   /// The part of p that lies on q: the shorter one's ends are measured against the longer one.
   void cover(Index p, Index q, Intervals& covered) const {
-    const Piece &a = pieces_[p], &b = pieces_[q];
+    const LinePiece &a = pieces_[p], &b = pieces_[q];
     const bool longer = lengths_[p] > lengths_[q];
-    const Piece &line = longer ? a : b, &other = longer ? b : a;
+    const LinePiece &line = longer ? a : b, &other = longer ? b : a;
     const double length = std::max(lengths_[p], lengths_[q]), near = reach(a, b);
     if (off_line(line, length, other.a) > near || off_line(line, length, other.b) > near) return;
     const Vec2 along = a.b - a.a;
@@ -109,17 +111,17 @@ class Merger {
     covered.emplace_back(std::max(0.0, std::min(s, t)), std::min(1.0, std::max(s, t)));
   }
 
-  std::vector<Piece> pieces_;
+  std::vector<LinePiece> pieces_;
   CellGrid cells_;
   std::vector<std::vector<Index>> kept_in_;
   std::vector<double> lengths_;
   std::vector<Index> stamp_;
-  std::vector<Piece> kept_;
+  std::vector<LinePiece> kept_;
 };
 
 }  // namespace
 
-std::vector<Piece> merged(std::vector<Piece> pieces, const Grid& grid) {
+std::vector<LinePiece> merged(std::vector<LinePiece> pieces, const Grid& grid) {
   return Merger(std::move(pieces), grid).run();
 }
 

@@ -69,7 +69,9 @@ void LineScanner::resolve(double y, const std::vector<Index>& edges,
   for (const Passing& p : passing_) {
     const double next = std::min(p.x, table_.columns);
     const double next_slack = table_.edges[p.edge].x_error;
-    if (next > x) {
+    // A span no wider than its ends are uncertain is of rounding's making, and may lie on the wrong
+    // side of an edge in which two faces touch: nothing is asked there, and its neighbour takes it.
+    if (next - x > slack + next_slack) {
       span(x, next, y, slack, next_slack, runs);
       // An edge passed before may truly lie right of this one.
       slack = std::max(next_slack, slack - (next - x));
@@ -89,8 +91,6 @@ void LineScanner::span(double x0, double x1, double y, double slack0, double sla
   if (active_.faces().empty()) return;
   if (!active_.crossing()) {
     emit(x0, x1, y, active_.seen_at(x0 + (x1 - x0) / 2, y), runs);
-    // A span of rounding's making may lie on the wrong side of an edge that both faces touch.
-    if (x1 - x0 <= slack0 + slack1) active_.forget();
     return;
   }
   pieces_.clear();

@@ -21,11 +21,11 @@ std::vector<SightLine> candidates(const ProjectedScene& scene, const FaceIndex& 
   return lines;
 }
 
-std::vector<Piece> visible_pieces(const ProjectedScene& scene, const FaceIndex& index,
-                                  const std::vector<SightLine>& lines) {
+std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceIndex& index,
+                                      const std::vector<SightLine>& lines) {
   EdgeResolver resolver(scene, index);
   const Vec2 page(scene.view.grid.columns, scene.view.grid.rows);
-  std::vector<Piece> pieces;
+  std::vector<LinePiece> pieces;
   for (const SightLine& line : lines) {
     const double error = line.a.grid.error + line.b.grid.error;
     for (const Interval& part : resolver.visible(line))
