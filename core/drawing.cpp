@@ -193,8 +193,7 @@ struct Drawing::Impl {
 
   const Canonical& seen() const { return clipped ? cut : whole; }
 
-  /// Density, per run: what a hundredth of the geometric tolerance is to a cell.
-  double density_tolerance() const { return options.tolerance / 100; }
+  double density_tolerance() const { return density_tolerance_of(options.tolerance); }
 
   void report(std::size_t done, std::size_t all) const {
     if (options.progress)

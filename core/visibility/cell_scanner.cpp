@@ -47,7 +47,7 @@ CellScanner::CellScanner(const EyeTable& table, double tolerance)
     : table_(table),
       active_(table),
       cells_(static_cast<int>(std::ceil(table.columns))),
-      lines_(table, tolerance / 100),
+      lines_(table, density_tolerance_of(tolerance)),
       tolerance_(tolerance),
       most_edges_(table.columns * edges_to_a_column(table)) {}
 

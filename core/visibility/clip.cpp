@@ -42,6 +42,58 @@ Polyhedron polyhedron_of(const Canonical& c, const CanonicalBody& body) {
   return p;
 }
 
+/// Faces as they are shaded: a smooth face is a fan of triangles from its first corner, and must
+/// stay that fan when it is cut, or its tones would move.
+struct Fanned {
+  Polyhedron polyhedron;
+  std::vector<Index> source;        ///< per face: the face it is a part of
+  std::vector<std::uint64_t> ribs;  ///< the edges within fans
+};
+
+bool shaded_as_fan(const Polyhedron& p, Index face) {
+  const Index loop = p.first_loop(face);
+  if (p.corner_normals.empty() || p.face_ends[face] - loop != 1 || p.loop(loop).size() < 4)
+    return false;
+  const auto first = p.corner_normals.begin() + p.first_index(loop);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(p.loop(loop).size()),
+                     [&](const Vec3& normal) { return normal != *first; });
+}
+
+Fanned fanned(const Polyhedron& p) {
+  Fanned result;
+  result.polyhedron.vertices = p.vertices;
+  const auto add = [&](Index index) {
+    result.polyhedron.indices.push_back(p.indices[index]);
+    if (!p.corner_normals.empty())
+      result.polyhedron.corner_normals.push_back(p.corner_normals[index]);
+  };
+  const auto end_loop = [&] {
+    result.polyhedron.loop_ends.push_back(static_cast<Index>(result.polyhedron.indices.size()));
+  };
+  const auto end_face = [&](Index face) {
+    result.polyhedron.end_face();
+    result.source.push_back(face);
+  };
+  for (Index f = 0; f < p.face_count(); ++f) {
+    if (!shaded_as_fan(p, f)) {
+      for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
+        for (Index i = p.first_index(l); i < p.loop_ends[l]; ++i) add(i);
+        end_loop();
+      }
+      end_face(f);
+      continue;
+    }
+    const Index first = p.first_index(p.first_loop(f)), end = p.loop_ends[p.first_loop(f)];
+    for (Index i = first + 1; i + 1 < end; ++i) {
+      add(first), add(i), add(i + 1);
+      end_loop();
+      end_face(f);
+      if (i > first + 1) result.ribs.push_back(edge_key(p.indices[first], p.indices[i]));
+    }
+  }
+  return result;
+}
+
 /// The pieces of a polyline on the positive side.
 std::vector<std::vector<Vec3>> cut_polyline(const std::vector<Vec3>& points, const Plane& keep) {
   std::vector<std::vector<Vec3>> pieces;
@@ -137,17 +189,19 @@ class Clipper {
   }
 
   void cut(const CanonicalBody& body) {
-    const Polyhedron whole = polyhedron_of(in_, body);
+    const Fanned whole = fanned(polyhedron_of(in_, body));
     std::vector<double> heights;
-    for (const Vec3& p : whole.vertices) heights.push_back(height(keep_, p));
-    const CutPolyhedron cut = cut_polyhedron(whole, heights, keep_.normal, body.closed);
+    for (const Vec3& p : whole.polyhedron.vertices) heights.push_back(height(keep_, p));
+    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights, keep_.normal, body.closed);
+    for (Index& source : cut.face_source)
+      if (source != kCap) source = whole.source[source];
     if (cut.polyhedron.face_count() == 0) return;
     CanonicalBody result = begin(body);
     out_.vertices.insert(out_.vertices.end(), cut.polyhedron.vertices.begin(),
                          cut.polyhedron.vertices.end());
     for (Index f = 0; f < cut.polyhedron.face_count(); ++f)
       add_face(cut.polyhedron, f, face_like(body, cut.face_source[f]), result.first_vertex);
-    add_edges(body, cut, result);
+    add_edges(body, cut, whole.ribs, result);
     end(result);
   }
 
@@ -160,8 +214,9 @@ class Clipper {
     return {0, 0, cap_plane_, 0, true, true};
   }
 
-  void add_edges(const CanonicalBody& body, const CutPolyhedron& cut, CanonicalBody& result) {
-    std::unordered_set<std::uint64_t> smooth;
+  void add_edges(const CanonicalBody& body, const CutPolyhedron& cut,
+                 const std::vector<std::uint64_t>& ribs, CanonicalBody& result) {
+    std::unordered_set<std::uint64_t> smooth(ribs.begin(), ribs.end());
     for (Index e = body.first_edge; e < body.end_edge; ++e)
       if (!in_.edges[e].crease)
         smooth.insert(

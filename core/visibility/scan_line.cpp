@@ -51,6 +51,8 @@ void split_at_crossings(const EyeTable& table, const std::vector<Index>& active,
   if (start < x1) pieces.push_back({start, x1, seen});
 }
 
+double density_tolerance_of(double tolerance) { return std::min(tolerance / 100, 1.0 / 1024); }
+
 LineScanner::LineScanner(const EyeTable& table, double density_tolerance)
     : table_(table), density_tolerance_(density_tolerance), active_(table) {}
 

@@ -22,6 +22,10 @@ void split_at_crossings(const EyeTable& table, const std::vector<Index>& active,
                         double x1, double y, double slack0, double slack1,
                         std::vector<SpanPiece>& pieces);
 
+/// How far a run's density may bend from a straight line, for a geometric tolerance in grid units:
+/// a hundredth of it, and never more than a quarter of an 8-bit step.
+double density_tolerance_of(double tolerance);
+
 /// Resolves lines of one picture, in any order; lines in increasing order are cheap. One a thread.
 class LineScanner {
  public:
