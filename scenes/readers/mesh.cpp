@@ -83,6 +83,9 @@ void check_text(std::string_view head, std::uint64_t, const std::string& name) {
 bool is_mesh_format(std::string_view format) { return find_format(format) != nullptr; }
 
 Mesh read_mesh(const std::filesystem::path& path, std::vector<Diagnostic>& warnings) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
+    fail_mesh(path.string(), "is a directory, not a mesh file");
   std::string extension = path.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
   Mesh mesh = read_path(path, format_of(extension, path.string()), warnings);

@@ -71,6 +71,8 @@ TEST_F(MeshFileTest, SaysWhatItCannotRead) {
   fs::create_directory(folder_ / "folder.stl");
   EXPECT_EQ(error(path("folder.stl")),
             path("folder.stl") + ": error: is a directory, not a mesh file");
+  fs::create_directory(folder_ / "folder");
+  EXPECT_EQ(error(path("folder")), path("folder") + ": error: is a directory, not a mesh file");
   fs::create_symlink("/dev/null", folder_ / "null.obj");
   EXPECT_EQ(error(path("null.obj")), path("null.obj") + ": error: is neither a file nor a pipe");
   for (const char* name : {"e.stl", "e.obj", "e.off", "e.ply"})

@@ -55,6 +55,16 @@ TEST_F(ReadTest, MeshFilesStandBesideTheScene) {
                                               (folder_ / "none.stl").string()));
 }
 
+TEST_F(ReadTest, MeshesThatAreDirectoriesAreRefusedInTheirPlace) {
+  fs::create_directory(folder_ / "parts");
+  for (const char* scene : {"bodies:\n  - mesh: parts\n", "bodies:\n  - mesh: {file: parts}\n"}) {
+    const fs::path path = write("a.yaml", scene);
+    EXPECT_THAT(error(path), testing::StartsWith(path.string() + ":2:"));
+    EXPECT_THAT(error(path), testing::HasSubstr("error: mesh file 'parts' is a directory: " +
+                                                (folder_ / "parts").string()));
+  }
+}
+
 TEST_F(ReadTest, SaysWhatItCannotRead) {
   EXPECT_EQ(error(folder_ / "missing.yaml"),
             (folder_ / "missing.yaml").string() + ": error: No such file or directory");

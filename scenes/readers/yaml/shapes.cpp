@@ -265,6 +265,11 @@ ShapePtr MeshFiles::read(Reporter& reporter, const Node& name) {
                    "no mesh file " + in_quotes(name.text) + "; looked for " + path.string());
     return nullptr;
   }
+  if (fs::is_directory(path, ignored)) {
+    reporter.error(name.mark,
+                   "mesh file " + in_quotes(name.text) + " is a directory: " + path.string());
+    return nullptr;
+  }
   try {
     std::vector<Diagnostic> warnings;
     shape = std::make_shared<const Shape>(read_mesh(path, warnings));
