@@ -13,6 +13,14 @@ constexpr std::size_t kMostKeysTold = 7;
 
 std::string text(std::string_view s) { return std::string(s); }
 
+/// "box, prism, cylinder, ...": the first of them.
+std::string first_keys(Keys keys) {
+  std::string names;
+  for (const std::string_view key : keys.first(std::min(keys.size(), kMostKeysTold)))
+    names += (names.empty() ? "" : ", ") + text(key);
+  return keys.size() > kMostKeysTold ? names + ", ..." : names;
+}
+
 std::string short_number(double v) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, v).ptr};
@@ -194,12 +202,8 @@ Fields::Fields(Reporter& reporter, const Node& node, const MapKind& kind)
   }
   usable_ = !kind.shorthand.empty() && node.kind != NodeKind::nothing;
   if (usable_) return;
-  std::string keys;
-  for (const std::string_view key : kind.keys.first(std::min(kind.keys.size(), kMostKeysTold)))
-    keys += (keys.empty() ? "" : ", ") + text(key);
-  if (kind.keys.size() > kMostKeysTold) keys += ", ...";
-  reporter.error(node.mark, text(kind.name) + " must be a map with the keys " + keys + ", found " +
-                                describe(node));
+  reporter.error(node.mark, text(kind.name) + " must be a map with the keys " +
+                                first_keys(kind.keys) + ", found " + describe(node));
 }
 
 void Fields::check_keys() {
@@ -211,9 +215,10 @@ void Fields::check_keys() {
       continue;
     }
     if (std::find(kind_.keys.begin(), kind_.keys.end(), key.text) == kind_.keys.end()) {
-      const std::string hint = reporter_.full() ? "" : suggestion(key.text, kind_.keys);
-      reporter_.error(key.mark, "unknown key " + describe(key) + " in " + text(kind_.name), hint);
-      suggested_ += hint;
+      const std::string meant = reporter_.full() ? "" : suggestion(key.text, kind_.keys);
+      reporter_.error(key.mark, "unknown key " + describe(key) + " in " + text(kind_.name),
+                      meant.empty() ? "known are " + first_keys(kind_.keys) : meant);
+      suggested_ += meant;
       continue;
     }
     for (std::size_t j = 0; j < i; ++j)
