@@ -18,11 +18,12 @@ constexpr int kBadUsage = 2;
 enum class TimingsFormat : std::uint8_t { none, text, json };
 
 struct RenderCommand {
-  std::string scene;   ///< a file, or - for standard input
-  std::string output;  ///< a file, - for standard output, or empty
-  std::string device;  ///< empty: by the output's extension
-  std::string format;  ///< of standard input
-  Settings settings;   ///< for the device
+  std::string scene;        ///< a file, or - for standard input
+  std::string output;       ///< a file, - for standard output, or empty
+  std::string device;       ///< empty: by the output's extension
+  std::string format;       ///< of standard input
+  Settings settings;        ///< for the device
+  std::size_t options = 0;  ///< so many of the settings, the first, were options of their own
   SceneChanges changes;
   Method method = Method::automatic;
   double tolerance = 0;  ///< grid units; 0: the device's
@@ -36,6 +37,7 @@ struct EmulateCommand {
   std::string input;    ///< a file, or - for standard input
   std::string output;   ///< its extension chooses the format
   Settings settings;
+  std::size_t options = 0;  ///< as in RenderCommand
 };
 
 struct CheckCommand {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/usage.h"
+#include "cli/written.h"
 
 namespace overstrike {
 namespace {
@@ -65,6 +66,18 @@ void check_settings(const DeviceKind& kind, const Settings& settings) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw UsageError(fmt::format("the {} has no setting '{}'{}; it has {}", kind.name, name,
                                  suggestion(name, known), fmt::join(known, ", ")));
+  }
+}
+
+std::unique_ptr<Device> make_device(const DeviceChoice& choice, const RenderCommand& command,
+                                    std::unique_ptr<Transport> transport) {
+  try {
+    return choice.kind->make(command.settings, choice.output, std::move(transport));
+  } catch (const InputError& error) {
+    const Diagnostic& first = error.diagnostics().front();
+    if (!first.place.file.empty()) throw;  // of a type face or a profile, say
+    const std::string text = say_as_written({command.settings, command.options}, first.message);
+    throw UsageError(first.hint.empty() ? text : fmt::format("{} ({})", text, first.hint));
   }
 }
 

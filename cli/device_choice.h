@@ -1,5 +1,6 @@
 #pragma once
 // Which device draws, and where its bytes go.
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,11 @@ DeviceChoice choose_device(const RenderCommand& command, bool stdout_is_terminal
 
 /// Throws UsageError that names the first setting the device does not take.
 void check_settings(const DeviceKind& kind, const Settings& settings);
+
+/// The device, set as the command says. Throws UsageError for a setting's value that the device
+/// refuses, naming the setting as it was written.
+std::unique_ptr<Device> make_device(const DeviceChoice& choice, const RenderCommand& command,
+                                    std::unique_ptr<Transport> transport);
 
 /// The device's names as one list, for messages.
 std::vector<std::string_view> device_names();

@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/numbers.h"
 #include "cli/usage.h"
+#include "cli/written.h"
 #include "emulators/line_printer/line_printer.h"
 #include "emulators/plotter/plotter.h"
 
@@ -34,8 +35,8 @@ std::string read_stream(const std::string& input) {
 /// The settings of a machine, each read by name once; what is left over is unknown.
 class MachineSettings {
  public:
-  MachineSettings(std::string_view machine, const Settings& given)
-      : machine_(machine), given_(given) {}
+  MachineSettings(std::string_view machine, const EmulateCommand& command)
+      : machine_(machine), given_(command.settings), options_(command.options) {}
 
   void read(std::string_view name, std::string& value) {
     known_.push_back(name);
@@ -49,7 +50,8 @@ class MachineSettings {
     std::string text;
     read(name, text);
     if (text.empty()) return;
-    const NumberRule rule{name, expected};
+    const std::string option = as_written({given_, options_}, name);
+    const NumberRule rule{option, expected};
     value = read_numbers(rule, text).front();
     if (value < low || value > high) refuse(rule, text);
   }
@@ -65,6 +67,7 @@ class MachineSettings {
  private:
   std::string_view machine_;
   const Settings& given_;
+  std::size_t options_;
   std::vector<std::string_view> known_;
 };
 
@@ -78,9 +81,9 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-emulator::PlotterOptions plotter_options(const Settings& given) {
+emulator::PlotterOptions plotter_options(const EmulateCommand& command) {
   emulator::PlotterOptions options;
-  MachineSettings settings("plotter", given);
+  MachineSettings settings("plotter", command);
   std::string pens;
   settings.read("machine", options.machine);
   settings.read("paper", options.paper);
@@ -95,9 +98,9 @@ emulator::PlotterOptions plotter_options(const Settings& given) {
   return options;
 }
 
-emulator::LinePrinterOptions line_printer_options(const Settings& given) {
+emulator::LinePrinterOptions line_printer_options(const EmulateCommand& command) {
   emulator::LinePrinterOptions options;
-  MachineSettings settings("line-printer", given);
+  MachineSettings settings("line-printer", command);
   const std::string pitch =
       fmt::format("a number from {} to {}", emulator::kLeastPitch, emulator::kMostPitch);
   const std::string dpi =
@@ -123,13 +126,13 @@ void say_report(const EmulateCommand& command, const std::vector<std::string>& w
 }
 
 void emulate_plotter(const EmulateCommand& command) {
-  const emulator::PlotterOptions options = plotter_options(command.settings);
+  const emulator::PlotterOptions options = plotter_options(command);
   const std::string stream = read_stream(command.input);
   say_report(command, emulator::emulate_plotter(stream, options, command.output).warnings);
 }
 
 void emulate_line_printer(const EmulateCommand& command) {
-  const emulator::LinePrinterOptions options = line_printer_options(command.settings);
+  const emulator::LinePrinterOptions options = line_printer_options(command);
   const std::string stream = read_stream(command.input);
   say_report(command, emulator::emulate_line_printer(stream, options, command.output).warnings);
 }
@@ -149,7 +152,7 @@ int run(const EmulateCommand& command) {
   } catch (const emulator::OutputError& error) {
     throw WorkError(error.what());
   } catch (const emulator::Error& error) {
-    throw UsageError(error.what());
+    throw UsageError(say_as_written({command.settings, command.options}, error.what()));
   }
   return kDone;
 }

@@ -239,6 +239,7 @@ Command render_command(Words& w) {
   for (std::size_t i = 0; i < w.named.size(); ++i) {
     if (!w.named[i].empty()) w.render.settings.emplace_back(kDeviceSettings[i], w.named[i]);
   }
+  w.render.options = w.render.settings.size();
   for (const std::string& set : w.render_sets) w.render.settings.push_back(split_setting(set));
   w.render.changes = read_scene_changes(w.changes);
   w.render.method = read_method(w.method);
@@ -260,6 +261,7 @@ Command emulate_command(Words& w) {
     if (!w.machine[i].empty())
       w.emulate.settings.emplace_back(kMachineSettings[i].names.substr(2), w.machine[i]);
   }
+  w.emulate.options = w.emulate.settings.size();
   for (const std::string& set : w.emulate_sets) w.emulate.settings.push_back(split_setting(set));
   return w.emulate;
 }

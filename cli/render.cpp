@@ -88,8 +88,7 @@ int run(const RenderCommand& command) {
   say_warnings(read.warnings);
   apply(command.changes, read.scene);
 
-  const auto device =
-      choice.kind->make(command.settings, choice.output, open_output(choice.output));
+  const auto device = make_device(choice, command, open_output(choice.output));
   const bool shares_terminal = choice.output == "-" && stdout_is_terminal();
   DrawReport report;
   {

@@ -45,7 +45,10 @@ class Usage(CommandTest):
         for option, values in wrong.items():
             for value in values:
                 self.assert_refused("render", SCENE, "-d", "line-printer", "-o", "a.txt", option, value,
-                                    says=[option.lstrip("-"), f"'{value}'"])
+                                    says=[f"overstrike: error: {option} must be ", f"'{value}'",
+                                          "try 'overstrike render --help'"])
+        self.assert_refused("render", SCENE, "-d", "line-printer", "-o", "a.txt", "--lpi", "8",
+                            "--set", "lpi=99", says=["error: --set lpi must be ", "'99'"])
         self.assertEqual(self.names(), [])
 
     def test_settings_of_another_device(self):
@@ -84,7 +87,12 @@ class Usage(CommandTest):
         self.assert_refused("emulate", "plotter", "a.hpgl", says="-o FILE is missing")
         (self.folder / "a.txt").write_text("HELLO\n")
         self.assert_refused("emulate", "line-printer", "a.txt", "-o", "a.jpeg", says="a.jpeg")
-        self.assert_refused("emulate", "line-printer", "a.txt", "-o", "a.png", "--lpi", "nan", says="lpi")
+        self.assert_refused("emulate", "line-printer", "a.txt", "-o", "a.png", "--lpi", "nan",
+                            says="error: --lpi: expected a number from")
+        self.assert_refused("emulate", "line-printer", "a.txt", "-o", "a.png", "--stream", "crlf",
+                            says=["error: --stream must be one of", "try 'overstrike emulate --help'"])
+        self.assert_refused("emulate", "line-printer", "a.txt", "-o", "a.png", "--set", "margin=9",
+                            says="error: --set margin: expected inches from")
         self.assertEqual(self.names(), ["a.txt"])
 
 
