@@ -35,7 +35,8 @@ struct RenderCommand {
 struct EmulateCommand {
   std::string machine;  ///< line-printer or plotter
   std::string input;    ///< a file, or - for standard input
-  std::string output;   ///< its extension chooses the format
+  std::string output;   ///< a file, whose extension chooses the format, or - for standard output
+  std::string format;   ///< of standard output: png (when empty), pdf or svg
   Settings settings;
   std::size_t options = 0;  ///< as in RenderCommand
 };

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/numbers.h"
+#include "cli/sheet_output.h"
 #include "cli/usage.h"
 #include "cli/written.h"
 #include "emulators/line_printer/line_printer.h"
@@ -20,6 +21,8 @@ namespace overstrike {
 namespace {
 
 constexpr std::string_view kMachines[] = {"line-printer", "plotter"};
+constexpr std::string_view kPaperFormats[] = {"png", "pdf"};
+constexpr std::string_view kSheetFormats[] = {"png", "pdf", "svg"};
 
 /// Everything that the machine is sent. Throws InputError that names the file.
 std::string read_stream(const std::string& input) {
@@ -128,13 +131,19 @@ void say_report(const EmulateCommand& command, const std::vector<std::string>& w
 void emulate_plotter(const EmulateCommand& command) {
   const emulator::PlotterOptions options = plotter_options(command);
   const std::string stream = read_stream(command.input);
-  say_report(command, emulator::emulate_plotter(stream, options, command.output).warnings);
+  const SheetOutput output(command.output, command.format, kSheetFormats);
+  const auto report = emulator::emulate_plotter(stream, options, output.path());
+  output.deliver();
+  say_report(command, report.warnings);
 }
 
 void emulate_line_printer(const EmulateCommand& command) {
   const emulator::LinePrinterOptions options = line_printer_options(command);
   const std::string stream = read_stream(command.input);
-  say_report(command, emulator::emulate_line_printer(stream, options, command.output).warnings);
+  const SheetOutput output(command.output, command.format, kPaperFormats);
+  const auto report = emulator::emulate_line_printer(stream, options, output.path());
+  output.deliver();
+  say_report(command, report.warnings);
 }
 
 void emulate(const EmulateCommand& command) {

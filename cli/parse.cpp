@@ -144,8 +144,14 @@ void add_emulate(CLI::App& app, Words& w) {
   CLI::App* sub = subcommand(app, "emulate");
   add_positional(sub, "MACHINE", "line-printer or plotter", w.emulate.machine);
   add_positional(sub, "FILE", "what the machine is sent, or - for standard input", w.emulate.input);
-  text_option(sub, {"-o,--output", "FILE", "the sheet: .png, .pdf or (plotter) .svg", "Options"},
+  text_option(sub,
+              {"-o,--output", "FILE",
+               "the sheet: .png, .pdf or (plotter) .svg; - is standard output", "Options"},
               w.emulate.output);
+  text_option(sub,
+              {"--format", "FORMAT", "of standard output: png, pdf or (plotter) svg (default png)",
+               "Options"},
+              w.emulate.format);
   for (std::size_t i = 0; i < std::size(kMachineSettings); ++i)
     text_option(sub, kMachineSettings[i], w.machine[i]);
   sub->add_option("--set", w.emulate_sets, "one more setting of the machine")

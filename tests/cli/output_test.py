@@ -170,6 +170,30 @@ class Emulate(CommandTest):
         self.assert_done("emulate", "line-printer", "-", "-o", "a.png", stdin=b"HELLO\r\n")
         self.assertEqual(self.names(), ["a.png"])
 
+    def test_standard_output_has_the_bytes_of_the_file(self):
+        streams = {"line-printer": b"HELLO\rHELLO\r\n",
+                   "plotter": b"IN;SP1;PU0,0;PD1000,0,1000,1000;PU;SP0;"}
+        for machine, format in (("line-printer", "png"), ("line-printer", "pdf"), ("plotter", "png"),
+                                ("plotter", "pdf"), ("plotter", "svg")):
+            words = ("emulate", machine, "-", "-o")
+            self.assert_done(*words, f"a.{format}", stdin=streams[machine])
+            sheet = (self.folder / f"a.{format}").read_bytes()
+            (self.folder / f"a.{format}").unlink()
+            more = ["--format", format] if format != "png" else []
+            self.assertEqual(self.assert_done(*words, "-", *more, stdin=streams[machine]), sheet)
+        self.assertEqual(self.names(), [])
+
+    def test_standard_output_leaves_nothing_behind(self):
+        os.environ["TMPDIR"] = str(self.folder)
+        self.addCleanup(os.environ.pop, "TMPDIR")
+        words = ("emulate", "line-printer", "-", "-o", "-")
+        self.assert_done(*words, stdin=b"A\r\n")
+        self.assert_refused(*words, stdin=b"A\r\n\fB\r\n", says="2 pages are 2 pictures; --format pdf")
+        self.assert_refused(*words, "--format", "svg", says="--format: expected one of png, pdf")
+        self.assert_refused("emulate", "plotter", "-", "-o", "a.png", "--format", "pdf",
+                            says="--format is for standard output")
+        self.assertEqual(self.names(), [])
+
     def test_a_folder_that_is_not_there(self):
         self.assert_refused("emulate", "line-printer", "-", "-o", "none/a.png", stdin=b"A\n",
                             status=1, says="none/a.png")
