@@ -64,7 +64,7 @@ class Cutter {
     }
     const Vec3 low_normal = corner_normal(a == low ? i : j);
     const Vec3 high_normal = corner_normal(a == low ? j : i);
-    return {it->second, unit(low_normal + (high_normal - low_normal) * t)};
+    return {it->second, low_normal + (high_normal - low_normal) * t};
   }
 
   void cut_face(Index f) {

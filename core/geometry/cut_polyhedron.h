@@ -22,9 +22,10 @@ struct CutPolyhedron {
 /// What stands where `height` >= 0. `height` gives every vertex's signed distance from the plane
 /// (normal = its gradient, unit). Faces may be non-convex with holes; the loops that come out
 /// enclose the right points by the even-odd rule. A cut edge gets one new vertex, computed from its
-/// lower to its higher end, for both its faces. With `cap`, the cut is closed by one face whose
-/// outward side is -normal; it holds all loops of the cut, in order of their lowest vertex. Faces
-/// in the plane that have the solid on the removed side are gone.
+/// lower to its higher end, for both its faces; its normal lies between theirs on a straight line,
+/// not of unit length, so that what is linear in normals stays linear. With `cap`, the cut is
+/// closed by one face whose outward side is -normal; it holds all loops of the cut, in order of
+/// their lowest vertex. Faces in the plane that have the solid on the removed side are gone.
 CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& height,
                              const Vec3& normal, bool cap);
 

@@ -58,11 +58,11 @@ struct CanonicalPattern {
 };
 
 struct Canonical {
-  std::vector<Vec3> vertices;  ///< world
-  std::vector<Index> corners;  ///< vertex numbers, loop after loop
-  std::vector<Vec3>
-      corner_normals;            ///< world, unit; empty when no body is smooth, else one per corner
-  std::vector<Index> loop_ends;  ///< in corners
+  std::vector<Vec3> vertices;        ///< world
+  std::vector<Index> corners;        ///< vertex numbers, loop after loop
+  std::vector<Vec3> corner_normals;  ///< world, unit (shorter where a cut made the corner); empty
+                                     ///< when no body is smooth, else one per corner
+  std::vector<Index> loop_ends;      ///< in corners
   std::vector<CanonicalFace> faces;
   std::vector<Plane> planes;
   std::vector<WingedEdge> edges;

@@ -21,8 +21,8 @@
 //  5. The parts are added with their exact areas.
 //
 // A row with so many edges, most of them hidden, that none of its columns is without several is
-// averaged over scan lines `2 tolerance` apart instead, for the same promise. Scenes of flat-faced
-// bodies, exact whatever the tolerance, are cut exactly up to five times the crowd.
+// averaged over scan lines half the tolerance apart instead, for the same promise. Scenes of
+// flat-faced bodies, exact whatever the tolerance, are cut exactly up to five times the crowd.
 #include <vector>
 
 #include "core/visibility/active_faces.h"

@@ -94,6 +94,12 @@ Fanned fanned(const Polyhedron& p) {
   return result;
 }
 
+/// Takes from normals what points away from the light. Tones are the same, and become linear in
+/// them, so that corners that are cut between have the tone that was there.
+void turn_to_light(std::vector<Vec3>& normals, const Vec3& light) {
+  for (Vec3& normal : normals) normal -= light * std::min(0.0, glm::dot(normal, light));
+}
+
 /// The pieces of a polyline on the positive side.
 std::vector<std::vector<Vec3>> cut_polyline(const std::vector<Vec3>& points, const Plane& keep) {
   std::vector<std::vector<Vec3>> pieces;
@@ -189,7 +195,8 @@ class Clipper {
   }
 
   void cut(const CanonicalBody& body) {
-    const Fanned whole = fanned(polyhedron_of(in_, body));
+    Fanned whole = fanned(polyhedron_of(in_, body));
+    if (in_.light && body.closed) turn_to_light(whole.polyhedron.corner_normals, *in_.light);
     std::vector<double> heights;
     for (const Vec3& p : whole.polyhedron.vertices) heights.push_back(height(keep_, p));
     CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights, keep_.normal, body.closed);

@@ -10,14 +10,14 @@
 
 namespace overstrike {
 
-/// Adds the row whose top is at y = `top`: lines in the middles of strips no more than 2 tolerance
-/// high, so that a border is off by at most the tolerance. `resolve(y, runs)` appends a line's
-/// runs; `runs` is scratch.
+/// Adds the row whose top is at y = `top`: lines in the middles of strips half the tolerance high,
+/// so that four level borders in one cell are together off by at most the tolerance. `resolve(y,
+/// runs)` appends a line's runs; `runs` is scratch.
 template <class Resolve>
 void average_lines(double top, double tolerance, CellAccumulator& cells,
                    std::vector<DensityRun>& runs, const Resolve& resolve) {
   constexpr int kMostStrips = 64;
-  const double wanted = std::ceil(0.5 / tolerance);
+  const double wanted = std::ceil(2 / tolerance);
   const int n = wanted < kMostStrips ? std::max(1, static_cast<int>(wanted)) : kMostStrips;
   for (int i = 0; i < n; ++i) {
     runs.clear();
