@@ -13,23 +13,24 @@ using Names = std::string_view;
 constexpr std::array kPng = {Names(".png")};
 constexpr std::array kOpenexr = {Names(".exr")};
 constexpr std::array kTiff = {Names(".tif"), Names(".tiff")};
-constexpr std::array kJpeg = {Names(".jpg"), Names(".jpeg")};
+constexpr std::array kJpeg = {Names(".jpg"), Names(".jpeg"), Names(".jpe"), Names(".jfif")};
 constexpr std::array kPgm = {Names(".pgm"), Names(".pnm")};
 constexpr std::array kPpm = {Names(".ppm")};
 constexpr std::array kWebp = {Names(".webp")};
-constexpr std::array kBmp = {Names(".bmp")};
+constexpr std::array kBmp = {Names(".bmp"), Names(".dib")};
 constexpr std::array kTarga = {Names(".tga")};
 constexpr std::array kHdr = {Names(".hdr")};
 constexpr std::array kGif = {Names(".gif")};
 constexpr std::array kFits = {Names(".fits")};
+constexpr std::array kSgi = {Names(".sgi"), Names(".bw")};
 constexpr std::array kZfile = {Names(".zfile")};
 
 constexpr int kLargest = 65536;
 
-// Not here, for what was seen when they were tried: IFF refuses scan lines; HEIF reads beyond the
-// end of a row (AddressSanitizer); RLA puts in the time, and DPX and SGI files of one picture
-// differed between two runs; JPEG 2000 files under a limit of size were reported as written, and
-// small ones could not be read back. What ICO wrote could not be verified.
+// Not here, for what was seen when they were tried (docs/image.md): IFF refuses scan lines; HEIF
+// reads beyond the end of a row (AddressSanitizer); RLA puts in the time, and DPX the name of the
+// temporary file; JPEG 2000 files under a limit of size were reported as written, and small ones
+// could not be read back; ICO overruns memory; PBM comes out as PGM.
 constexpr ImageFormat kFormats[] = {
     {"png", kPng, true, true, false, 1, kLargest},
     {"openexr", kOpenexr, false, false, true, 1, kLargest},
@@ -43,6 +44,7 @@ constexpr ImageFormat kFormats[] = {
     {"hdr", kHdr, false, false, true, 3, kLargest},
     {"gif", kGif, true, false, false, 3, 65535},
     {"fits", kFits, true, false, true, 1, kLargest},
+    {"sgi", kSgi, true, true, false, 1, 65535},
     {"zfile", kZfile, false, false, true, 1, 32767},
 };
 

@@ -137,7 +137,9 @@ INSTANTIATE_TEST_SUITE_P(Formats, Exact,
                                          Case{"a.bmp", "8", 255}, Case{"a.pgm", "8", 255},
                                          Case{"a.ppm", "auto", 255}, Case{"a.tga", "8", 255},
                                          Case{"a.gif", "8", 255}, Case{"a.fits", "8", 255},
-                                         Case{"a.fits", "float", 0}, Case{"a.zfile", "auto", 0}));
+                                         Case{"a.fits", "float", 0}, Case{"a.sgi", "8", 255},
+                                         Case{"a.bw", "16", 65535}, Case{"a.dib", "8", 255},
+                                         Case{"a.zfile", "auto", 0}));
 
 struct Lossy {
   std::string file;
@@ -167,7 +169,7 @@ TEST_P(Near, ValuesAlmostComeBack) {
 // HDR shares an exponent among 8-bit mantissas; the others drop what eyes miss.
 INSTANTIATE_TEST_SUITE_P(Formats, Near,
                          testing::Values(Lossy{"a.hdr", 1.0 / 256}, Lossy{"a.jpg", 0.02},
-                                         Lossy{"a.webp", 0.02}));
+                                         Lossy{"a.jfif", 0.02}, Lossy{"a.webp", 0.02}));
 
 TEST_F(Images, HaveTheSameBytesEveryTime) {
   const Shape shape{64, 40};

@@ -117,6 +117,11 @@ OIIO::ImageSpec spec_of(const OverstrikeImageRequest& request) {
     spec.attribute("oiio:ColorSpace", request.bits == 32 ? "Linear" : "sRGB");
   // An empty date keeps OpenEXR's and TIFF's writers from putting in the time of day.
   spec.attribute("DateTime", "");
+  if (std::string(request.format) == "sgi") {
+    // Its writer leaves what the name does not fill of the header's 80 bytes uninitialised.
+    constexpr std::size_t kLongestSgiName = 79;
+    spec.attribute("ImageDescription", std::string(kLongestSgiName, ' '));
+  }
   if (request.pixel_aspect != 1)
     spec.attribute("PixelAspectRatio", static_cast<float>(request.pixel_aspect));
   if (request.fast) {
