@@ -18,8 +18,9 @@ struct Window {
 
 /// The smallest window that shows every body, pattern and segment; with a light at least 20 degrees
 /// high and an eye above the ground also the bodies' shadows on the ground (lower light makes long
-/// shadows that would leave no room for the bodies). Empty when the scene is. None when something
-/// stands nearer than the near distance: such a scene cannot be fitted.
+/// shadows that would leave no room for the bodies). What lies under the ground, seen from above
+/// it, does not count unless everything does. Empty when the scene is. None when something stands
+/// nearer than the near distance: such a scene cannot be fitted.
 std::optional<Window> fitted_window(const Scene& scene, const CameraFrame& frame);
 
 }  // namespace overstrike

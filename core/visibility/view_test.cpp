@@ -159,6 +159,37 @@ TEST(View, HighLightFitsTheShadowsTooAndLowLightDoesNot) {
   EXPECT_GT(shadow_end(19), 100);
 }
 
+TEST(View, AFitLeavesOutWhatTheGroundHides) {
+  const Grid grid{100, 100, 1, 1};
+  for (const bool parallel : {false, true}) {
+    Scene sunk, cut, under;
+    for (Scene* scene : {&sunk, &cut, &under}) {
+      scene->camera.parallel = parallel;
+      scene->camera.look_at = Vec3(0, 0, 0);
+      scene->camera.distance = 20;
+      scene->ground_z = 0;
+    }
+    Body half, whole, deep;
+    whole.shape = box({1, 2, 3});
+    whole.placement.offset = {0, 0, -1};
+    half.shape = box({1, 2, 2});
+    deep.shape = box({9, 9, 1});
+    deep.placement.offset = {0, 0, -5};
+    deep.patterns.push_back({{{5, 5, 0}, {-5, 5, 0}}, 0});
+    cut.bodies = {half};
+    sunk.bodies = {whole, deep};
+    sunk.segments.push_back({{0, 0, 1}, {0, 0, -9}, 0});
+    const View a = make_view(cut, grid), b = make_view(sunk, grid);
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0.5, 1, 2), Vec3(0.5, -1, 0)})
+      EXPECT_LT(glm::distance(Vec2(a.project(p)), Vec2(b.project(p))), 1e-9);
+    // From below nothing hides it, and a scene all under the ground is fitted whole.
+    sunk.camera.from.elevation_deg = -30;
+    EXPECT_GT(make_view(sunk, grid).world_per_cell, 1.5 * b.world_per_cell);
+    under.bodies = {deep};
+    EXPECT_GT(make_view(under, grid).world_per_cell, 1.5 * b.world_per_cell);
+  }
+}
+
 TEST(View, AnEyeInsideTheSceneSeesSixtyDegrees) {
   Scene scene = boxes(20, 4);
   scene.camera.eye = Vec3(0, 0, 0);
