@@ -22,9 +22,15 @@ void link_curve(ProfileChain& chain, const std::vector<Vec2>& normals, bool clos
 
 }  // namespace
 
-Polyhedron faces_of(const Frustum& frustum, double chord, bool normals) {
+RoundCounts round_counts(const Frustum& frustum, double chord) {
+  if (frustum.sides > 0) return {frustum.sides, 1, true};
   const double widest = std::max(frustum.bottom_radius, frustum.top_radius);
-  const int sides = frustum.sides > 0 ? frustum.sides : chords_for(widest, chord, 360);
+  const int sides = chords_for(widest, chord, 360);
+  return {sides, 1, sagitta(widest, sides, 360) <= chord};
+}
+
+Polyhedron faces_of(const Frustum& frustum, double chord, bool normals) {
+  const int sides = round_counts(frustum, chord).sides;
   ProfileChain chain;
   chain.points = {{0, 0}};
   if (frustum.bottom_radius > 0) chain.points.push_back({frustum.bottom_radius, 0});
@@ -44,16 +50,23 @@ FacetCounts facet_counts(const Ellipsoid& e) {
   return {2 * e.rings, e.rings};
 }
 
-/// The unit sphere stretched. A facet strays from the surface by the sagitta of its chord along the
-/// parallel and then by that of its chord along the meridian; each gets half of `chord`, which
-/// makes the fewest facets to second order.
+/// A facet strays from the surface by the sagitta of its chord along the parallel and then by that
+/// of its chord along the meridian; each gets half of `chord`, which makes the fewest facets to
+/// second order.
+RoundCounts round_counts(const Ellipsoid& ellipsoid, double chord) {
+  const FacetCounts counts = facet_counts(ellipsoid);
+  if (counts.sides > 0) return {counts.sides, counts.rings, true};
+  const Vec3& r = ellipsoid.radii;
+  const double wide = std::max(r.x, r.y), largest = std::max(wide, r.z);
+  const int sides = chords_for(wide, chord / 2, 360), rings = chords_for(largest, chord / 2, 180);
+  return {sides, rings,
+          sagitta(wide, sides, 360) <= chord / 2 && sagitta(largest, rings, 180) <= chord / 2};
+}
+
+/// The unit sphere stretched.
 Polyhedron faces_of(const Ellipsoid& ellipsoid, double chord, bool normals) {
   const Vec3& r = ellipsoid.radii;
-  const double wide = std::max(r.x, r.y);
-  const FacetCounts counts = facet_counts(ellipsoid);
-  const int sides = counts.sides > 0 ? counts.sides : chords_for(wide, chord / 2, 360);
-  const int bands =
-      counts.rings > 0 ? counts.rings : chords_for(std::max(wide, r.z), chord / 2, 180);
+  const auto [sides, bands, fine] = round_counts(ellipsoid, chord);
   ProfileChain chain;
   for (int i = 0; i <= bands; ++i) {
     const Vec2 p = turn(i, 2 * bands);  // (cos, sin) of the angle from the lower pole
@@ -67,9 +80,17 @@ Polyhedron faces_of(const Ellipsoid& ellipsoid, double chord, bool normals) {
 }
 
 /// Half of `chord` for each circle, as for the ellipsoid.
-Polyhedron faces_of(const Torus& torus, double chord, bool normals) {
-  const int sides = chords_for(torus.major + torus.minor, chord / 2, 360);
+RoundCounts round_counts(const Torus& torus, double chord) {
+  const double widest = torus.major + torus.minor;
+  const int sides = chords_for(widest, chord / 2, 360);
   const int around_tube = chords_for(torus.minor, chord / 2, 360);
+  return {sides, around_tube,
+          sagitta(widest, sides, 360) <= chord / 2 &&
+              sagitta(torus.minor, around_tube, 360) <= chord / 2};
+}
+
+Polyhedron faces_of(const Torus& torus, double chord, bool normals) {
+  const auto [sides, around_tube, fine] = round_counts(torus, chord);
   ProfileChain chain;
   std::vector<Vec2> outward;
   for (int i = 0; i < around_tube; ++i) {

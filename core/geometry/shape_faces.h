@@ -11,6 +11,16 @@ struct FacetCounts {
 };
 FacetCounts facet_counts(const Ellipsoid&);
 
+/// Facets round the axis times those along the profile, for a tolerance; `fine` when they keep it.
+struct RoundCounts {
+  int sides, rings;
+  bool fine;
+};
+RoundCounts round_counts(const Frustum&, double chord);
+RoundCounts round_counts(const Ellipsoid&, double chord);
+RoundCounts round_counts(const Torus&, double chord);
+RoundCounts round_counts(const Revolution&, double chord);
+
 /// Clears the plane numbers where no two faces share one.
 void drop_lone_planes(Polyhedron&);
 

@@ -58,14 +58,20 @@ Polyhedron faces_of(const Extrusion& extrusion) {
   return p;
 }
 
+RoundCounts round_counts(const Revolution& revolution, double chord) {
+  const int points = static_cast<int>(revolution.profile.size());
+  if (revolution.sides > 0) return {revolution.sides, points, true};
+  double widest = 0;
+  for (const Vec2& point : revolution.profile) widest = std::max(widest, point.x);
+  const int sides = chords_for(widest, chord, revolution.angle_deg);
+  return {sides, points, sagitta(widest, sides, revolution.angle_deg) <= chord};
+}
+
 Polyhedron faces_of(const Revolution& revolution, double chord, bool normals) {
   ProfileChain chain;
   chain.points = without_repeats(revolution.profile);
   if (!is_counter_clockwise(chain.points)) std::reverse(chain.points.begin(), chain.points.end());
-  double widest = 0;
-  for (const Vec2& point : chain.points) widest = std::max(widest, point.x);
-  const int sides =
-      revolution.sides > 0 ? revolution.sides : chords_for(widest, chord, revolution.angle_deg);
+  const int sides = round_counts(revolution, chord).sides;
   const std::vector<Index> lines = line_numbers({chain.points}).front();
   const Index count = static_cast<Index>(chain.points.size());
   for (Index i = 0; i < count; ++i) {

@@ -12,6 +12,12 @@ struct Overloaded : Functions... {
   using Functions::operator()...;
 };
 
+constexpr double kMostFacets = 0x1p20;
+/// A chord of this part of a shape's size takes more than kMostSides round any circle of the size;
+/// from there chords are tried in steps that leave the facets a few in a hundred short of the most.
+constexpr double kFinestOfSize = 0x1p-26;
+constexpr double kCoarser = 1.0625;
+
 }  // namespace
 
 void drop_lone_planes(Polyhedron& p) {
@@ -40,6 +46,27 @@ Polyhedron tessellate(const Shape& shape, double chord, bool normals) {
                                },
                                [](const auto& s) { return faces_of(s); }},
                     shape);
+}
+
+double drawable_chord(const Shape& shape, double chord) {
+  const auto drawable = [&](double tried) {
+    const auto within = [&](const auto& s) {
+      const RoundCounts counts = round_counts(s, tried);
+      return counts.fine && static_cast<double>(counts.sides) * counts.rings <= kMostFacets;
+    };
+    return std::visit(Overloaded{[&](const Frustum& s) { return within(s); },
+                                 [&](const Ellipsoid& s) { return within(s); },
+                                 [&](const Torus& s) { return within(s); },
+                                 [&](const Revolution& s) { return within(s); },
+                                 [](const auto&) { return true; }},
+                      shape);
+  };
+  if (!is_curved(shape) || drawable(chord)) return chord;
+  const Bounds box = bounds(shape, Affine{});
+  const double size = glm::length(box.high - box.low);
+  double coarser = size * kFinestOfSize;
+  while (coarser < size && !drawable(coarser)) coarser *= kCoarser;
+  return std::max(chord, coarser);
 }
 
 bool is_curved(const Shape& shape) {

@@ -19,6 +19,10 @@ namespace overstrike {
 /// in one plane by construction.
 Polyhedron tessellate(const Shape& shape, double chord, bool normals);
 
+/// The chord at which a curved shape keeps within 4096 sides round a circle and 2^20 facets (some
+/// 700 MB when drawn): `chord` itself, or else a coarser one, which does not depend on it.
+double drawable_chord(const Shape& shape, double chord);
+
 /// Why the shape cannot be drawn ("radius must be positive, found -1"), or empty.
 std::string validate(const Shape& shape);
 

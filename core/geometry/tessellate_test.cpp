@@ -148,6 +148,23 @@ TEST(Tessellate, FewestSidesThatKeepTheChord) {
   EXPECT_EQ(tessellate(Frustum{1, 1, 1, 0}, 0, false).face_count(), 4098u);
 }
 
+TEST(Tessellate, ADrawableChordBoundsTheFacets) {
+  const std::vector<Vec2> profile{{0, 0}, {1, 0}, {0.5, 2}};
+  for (const Shape& shape : {Shape{Ellipsoid{{1, 2, 3}}}, Shape{Torus{}}, Shape{Frustum{}},
+                             Shape{Revolution{profile, 360, 0}}}) {
+    EXPECT_EQ(drawable_chord(shape, 0.01), 0.01);
+    const double finest = drawable_chord(shape, 1e-300);
+    EXPECT_EQ(drawable_chord(shape, 1e-12), finest);
+    EXPECT_EQ(drawable_chord(shape, finest), finest);
+    EXPECT_LT(finest, 1e-4);
+    const std::size_t faces = tessellate(shape, finest, false).face_count();
+    EXPECT_LE(faces, 0x1p20);
+    EXPECT_GE(faces, 3500u);
+  }
+  EXPECT_EQ(drawable_chord(Box{}, 1e-300), 1e-300);
+  EXPECT_EQ(drawable_chord(Revolution{profile, 1e-3, 0}, 1e-6), 1e-6);
+}
+
 TEST(Tessellate, MeshPassesThrough) {
   Mesh mesh;
   mesh.polyhedron = tessellate(Box{}, 1, false);

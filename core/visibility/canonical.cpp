@@ -1,6 +1,7 @@
 #include "core/visibility/canonical.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -103,6 +104,12 @@ bool finite(const Affine& a) {
   return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
 }
 
+/// Three digits.
+std::string roughly(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+}
+
 class Assembler {
  public:
   Assembler(const Scene& scene, const View& view, double chord_cells,
@@ -130,8 +137,18 @@ class Assembler {
     warnings_.push_back({Severity::warning, body.place, subject + ": " + what, {}, {}});
   }
 
+  double chord_of_shape(const Body& body) {
+    if (!is_curved(*body.shape)) return 1;
+    const double asked = chord_of(body, view_, chord_cells_);
+    const double chord = drawable_chord(*body.shape, asked);
+    if (chord > asked)
+      warn(body, "drawn to " + roughly(chord / asked * chord_cells_) + " cells instead of " +
+                     roughly(chord_cells_) + ": finer would take too many facets");
+    return chord;
+  }
+
   const PreparedShape& prepared(const Body& body) {
-    const double chord = is_curved(*body.shape) ? chord_of(body, view_, chord_cells_) : 1;
+    const double chord = chord_of_shape(body);
     const bool smooth = body.shading == Shading::smooth;
     auto& slot = shapes_[{body.shape.get(), chord, smooth}];
     if (slot == nullptr)

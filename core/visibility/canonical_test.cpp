@@ -224,6 +224,17 @@ TEST(Canonical, WarningsNameTheBodyAndItsPlace) {
   EXPECT_TRUE(canon(scene).warnings.empty());
 }
 
+TEST(Canonical, TellsWhatToleranceWasReached) {
+  Scene scene;
+  scene.bodies = {body(shape(Frustum{})), body(shape(Box{}))};
+  scene.bodies[0].name = "tank";
+  EXPECT_THAT(canon(scene, 1e-3).warnings, testing::IsEmpty());
+  EXPECT_THAT(canon(scene, 1e-300).warnings,
+              testing::ElementsAre(testing::MatchesRegex(
+                  ".*cylinder 'tank': drawn to [0-9.]+e-0[5-6] cells instead of 1e-300: "
+                  "finer would take too many facets")));
+}
+
 TEST(Canonical, FlattenedBodiesKeepTheFacesThatHaveAnArea) {
   Scene scene;
   Mat3 press(1.0);
