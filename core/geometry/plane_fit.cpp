@@ -6,11 +6,22 @@
 
 namespace overstrike {
 
+namespace {
+
+/// A sum below this part of its widest triangle is what rounding left of it when the vertices are
+/// up to 2^20 times as far away as the face is large (2^-53 * 2^20, and 2^3 for the sum's terms).
+constexpr double kCancelled = 0x1p-30;
+
+}  // namespace
+
 PlaneFit PlaneFitter::fit() const {
   PlaneFit fit;
   if (points_ == 0) return fit;
-  const double length = std::sqrt(glm::dot(vector_, vector_));
-  fit.normal = unit(vector_);
+  const double sum = std::sqrt(glm::dot(vector_, vector_));
+  const double widest = std::sqrt(glm::dot(widest_, widest_));
+  fit.cancels = sum < widest * kCancelled;
+  const double length = fit.cancels ? widest : sum;
+  fit.normal = unit(fit.cancels ? widest_ : vector_);
   fit.middle = base_ + sum_ / points_;
   // From the base, so that a plane across an axis gets its vertices' own coordinate.
   fit.offset = glm::dot(fit.normal, base_) + glm::dot(fit.normal, sum_) / points_;

@@ -15,6 +15,8 @@ struct PlaneFit {
   double offset = 0;  ///< dot(normal, middle); exactly the common coordinate on an axis plane
   double area = 0;
   double perimeter = 0;
+  /// The loops cross so that their parts cancel: normal and area are those of one triangle of them.
+  bool cancels = false;
   /// Bound of the normal's turn, in radians, when every vertex may be off by `error`: moving vertex
   /// i changes Newell's vector by at most error * |p(i+1) - p(i-1)| / 2, all of them by error *
   /// perimeter.
@@ -34,7 +36,9 @@ class PlaneFitter {
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = at(i) - base_;
       const Vec3 step = p - previous;
-      vector_ += glm::cross(previous - first, p - first) * sign;
+      const Vec3 triangle = glm::cross(previous - first, p - first) * sign;
+      vector_ += triangle;
+      if (glm::dot(triangle, triangle) > glm::dot(widest_, widest_)) widest_ = triangle;
       perimeter_ += std::sqrt(glm::dot(step, step));
       sum_ += p;
       previous = p;
@@ -44,7 +48,7 @@ class PlaneFitter {
   PlaneFit fit() const;
 
  private:
-  Vec3 base_{0.0}, vector_{0.0}, sum_{0.0};
+  Vec3 base_{0.0}, vector_{0.0}, widest_{0.0}, sum_{0.0};
   double perimeter_ = 0, points_ = 0;
 };
 

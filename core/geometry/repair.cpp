@@ -146,6 +146,13 @@ class Repairer {
     p_ = std::move(out);
   }
 
+  /// Parts that cancel are areas where the outline crosses itself, and none where it comes back the
+  /// way it went.
+  bool has_area(Index f) const {
+    const PlaneFit fit = fit_plane(p_, f);
+    return fit.area > 0 && (!fit.cancels || crosses_itself(loops_of(f), fit.normal));
+  }
+
   void drop_degenerate() {
     bool repeated = false;
     for (Index l = 0; l < p_.loop_ends.size() && !repeated; ++l) repeated = repeats(l);
@@ -155,7 +162,7 @@ class Repairer {
     for (Index f = 0; f < p_.face_count(); ++f) {
       if (p_.first_loop(f) == p_.face_ends[f]) {
         few.push_back(f), bad[f] = true;
-      } else if (!(fit_plane(p_, f).area > 0)) {
+      } else if (!has_area(f)) {
         flat.push_back(f), bad[f] = true;
       }
     }

@@ -142,6 +142,22 @@ TEST(Repair, NamesFacesThatCrossThemselves) {
               ElementsAre("face 0 crosses itself: drawn by the even-odd rule"));
 }
 
+TEST(Repair, KeepsCrossingFacesWhosePartsCancel) {
+  Polyhedron p;
+  p.vertices = {{0, 0, 2}, {2, 2, 2}, {2, 0, 2}, {0, 2, 2}};
+  p.add_face({0, 1, 2, 3});
+  Polyhedron out;
+  EXPECT_THAT(flaws_of(p, {0, true, {}}, &out),
+              ElementsAre("face 0 crosses itself: drawn by the even-odd rule"));
+  ASSERT_EQ(out.face_count(), 1u);
+  EXPECT_EQ(std::abs(fit_plane(out, 0).normal.z), 1);
+  EXPECT_EQ(fit_plane(out, 0).offset * fit_plane(out, 0).normal.z, 2);
+  Polyhedron back;
+  back.vertices = {{0, 0, 2}, {2, 2, 2}, {2, 0, 2}};
+  back.add_face({0, 1, 2, 1});
+  EXPECT_THAT(flaws_of(back, {0, true, {}}), ElementsAre("face 0 has no area: left out"));
+}
+
 TEST(Repair, TurnsFacesThatDisagree) {
   Polyhedron out;
   EXPECT_THAT(flaws_of(reversed(cube(), {1, 3}), {}, &out),
