@@ -302,8 +302,15 @@ string fault_of(const FlatPolygon& s) {
   }
   if (shadow_sizes(s.loops.front()) == Vec3{0}) return "loop 1 has no area";
   const std::vector<Loop2> flat = seen_flat(s);
-  const string fault = loops_fault("", flat);
-  if (!fault.empty()) return fault;
+  std::vector<Loop2> clean;
+  for (const Loop2& loop : flat) {
+    clean.push_back(without_repeats(loop));
+    if (clean.back().size() < 3)
+      return loop_name(clean.size() - 1) + " needs at least 3 different points, found " +
+             std::to_string(clean.back().size());
+  }
+  if (find_contact(clean))
+    return {};  // drawn by the even-odd rule, with a warning where it crosses
   const OrderedRegion region = in_order(flat);
   if (region.pieces.size() != 1 || region.pieces.front().outline != 0)
     return "every loop after the first must be a hole in it and in no other";
