@@ -40,7 +40,7 @@ def main(build, source, compiler, flags):
         run("cmake", "--install", build, "--prefix", prefix)
         check_prefix(prefix, ["overstrike", "0.1.0"])
         outside = Path(folder) / "outside"
-        run("cmake", "-S", Path(source) / "tests/package/outside", "-B", outside,
+        run("cmake", "-G", "Ninja", "-S", Path(source) / "tests/package/outside", "-B", outside,
             f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}",
             f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_BUILD_TYPE=Debug")
         run("cmake", "--build", outside)
