@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/float_environment.h"
 #include "core/geometry/trig.h"
 #include "core/in_order.h"
 #include "core/visibility/canonical.h"
@@ -159,10 +160,10 @@ struct Drawing::Impl {
   Impl(const Scene& scene, const Grid& asked_grid, const DrawOptions& draw_options)
       : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
     Stopwatch eye_watch;
-    whole = canonicalize(scene, view, options.tolerance, warnings);
-    clipped = view.near_plane && needs_clip(whole, *view.near_plane);
-    if (clipped) cut = clip(whole, *view.near_plane);
+    whole =
+        std::make_shared<const Canonical>(canonicalize(scene, view, options.tolerance, warnings));
     timings.eye_ms += eye_watch.ms();
+    clip_near();
     if (options.method == Method::nn74) {
       prepare_nn74(scene);
     } else {
@@ -170,9 +171,23 @@ struct Drawing::Impl {
     }
   }
 
+  Impl(std::shared_ptr<const Canonical> canonical, const View& in_view,
+       const DrawOptions& draw_options)
+      : options(draw_options), grid(in_view.grid), view(in_view), whole(std::move(canonical)) {
+    clip_near();
+    prepare_lines();
+  }
+
+  void clip_near() {
+    Stopwatch watch;
+    clipped = view.near_plane && needs_clip(*whole, *view.near_plane);
+    if (clipped) cut = clip(*whole, *view.near_plane);
+    timings.eye_ms += watch.ms();
+  }
+
   void prepare_lines() {
     Stopwatch light_watch;
-    shadows = cast_shadows(whole, seen(), view);
+    shadows = cast_shadows(*whole, seen(), view);
     timings.light_ms += light_watch.ms();
     Stopwatch table_watch;
     table = std::make_unique<EyeTable>(seen(), view, *shadows);
@@ -181,17 +196,17 @@ struct Drawing::Impl {
 
   void prepare_nn74(const Scene& scene) {
     Stopwatch check_watch;
-    nn74::check_conditions(scene, whole, view);
+    nn74::check_conditions(scene, *whole, view);
     timings.eye_ms += check_watch.ms();
     Stopwatch light_watch;
-    light = nn74::cast(whole, seen(), view);
+    light = nn74::cast(*whole, seen(), view);
     timings.light_ms += light_watch.ms();
     Stopwatch picture_watch;
     painted = std::make_unique<nn74::PaintSource>(seen(), view, light);
     timings.eye_ms += picture_watch.ms();
   }
 
-  const Canonical& seen() const { return clipped ? cut : whole; }
+  const Canonical& seen() const { return clipped ? cut : *whole; }
 
   double density_tolerance() const { return density_tolerance_of(options.tolerance); }
 
@@ -204,7 +219,8 @@ struct Drawing::Impl {
   DrawOptions options;
   Grid grid;
   View view;
-  Canonical whole, cut;
+  std::shared_ptr<const Canonical> whole;
+  Canonical cut;
   bool clipped = false;
   std::optional<std::vector<Shadow>> shadows;  ///< of the line resolver; strokes need them too
   std::unique_ptr<EyeTable> table;             ///< of the line resolver
@@ -236,6 +252,7 @@ void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
   std::vector<std::vector<float>> slots(slots_for(options.threads));
   const std::size_t count = (rows + at_once - 1) / at_once;
   const auto compute = [&](std::size_t band, std::size_t slot) {
+    const FloatEnvironment ours;
     slots[slot].clear();
     resolvers.use([&](RowResolver& resolver) {
       for (std::size_t row = band * at_once; row < std::min(rows, (band + 1) * at_once); ++row) {
@@ -275,6 +292,7 @@ void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, doub
     return frame.first + static_cast<std::int64_t>(line);
   };
   const auto compute = [&](std::size_t chunk, std::size_t slot) {
+    const FloatEnvironment ours;
     Chunk& c = slots[slot];
     c.runs.clear(), c.ends.clear();
     scanners.use([&](RunScanner& scanner) {
@@ -326,21 +344,33 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
   scan(LineSource(turned_table, density_tolerance()), frame, frame.low.x, sink);
 }
 
-Drawing::Drawing(const Scene& scene, const Grid& grid, const DrawOptions& options)
-    : impl_(std::make_unique<Impl>(scene, grid, options)) {}
+Drawing::Drawing(const Scene& scene, const Grid& grid, const DrawOptions& options) {
+  const FloatEnvironment ours;
+  impl_ = std::make_unique<Impl>(scene, grid, options);
+}
+Drawing::Drawing(std::shared_ptr<const Canonical> canonical, const View& view,
+                 const DrawOptions& options) {
+  const FloatEnvironment ours;
+  impl_ = std::make_unique<Impl>(std::move(canonical), view, options);
+}
 Drawing::~Drawing() = default;
 Drawing::Drawing(Drawing&&) noexcept = default;
 
-void Drawing::cells(const std::function<void(const CellRow&)>& sink) { impl_->cells(sink); }
+void Drawing::cells(const std::function<void(const CellRow&)>& sink) {
+  const FloatEnvironment ours;
+  impl_->cells(sink);
+}
 
 void Drawing::runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink) {
+  const FloatEnvironment ours;
   impl_->runs(family, sink);
 }
 
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
+  const FloatEnvironment ours;
   Stopwatch watch;
   Impl& impl = *impl_;
-  if (!impl.shadows) impl.shadows = cast_shadows(impl.whole, impl.seen(), impl.view);
+  if (!impl.shadows) impl.shadows = cast_shadows(*impl.whole, impl.seen(), impl.view);
   std::vector<Stroke> strokes =
       visible_strokes(impl.seen(), impl.view, *impl.shadows, options, impl.options.tolerance);
   impl_->timings.scan_ms += watch.ms();

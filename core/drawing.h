@@ -10,6 +10,9 @@
 
 namespace overstrike {
 
+struct Canonical;
+struct View;
+
 enum class Method : std::uint8_t { automatic, line, nn74 };
 
 struct StrokeOptions {
@@ -40,6 +43,9 @@ class Drawing {
  public:
   /// Phases I and II. Throws InputError when the method cannot draw the scene.
   Drawing(const Scene& scene, const Grid& grid, const DrawOptions& options);
+  /// The same from the canonical input of a view, which is shared and not copied; by the line
+  /// resolver, whatever options.method says.
+  Drawing(std::shared_ptr<const Canonical> canonical, const View& view, const DrawOptions& options);
   ~Drawing();
   Drawing(Drawing&&) noexcept;
 

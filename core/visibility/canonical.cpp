@@ -7,6 +7,7 @@
 #include <memory>
 #include <tuple>
 
+#include "core/float_environment.h"
 #include "core/geometry/direction.h"
 #include "core/geometry/tessellate.h"
 #include "core/geometry/weld_planes.h"
@@ -308,6 +309,7 @@ class Assembler {
 
 Canonical canonicalize(const Scene& scene, const View& view, double chord_cells,
                        std::vector<Diagnostic>& warnings) {
+  const FloatEnvironment ours;
   return Assembler(scene, view, chord_cells, warnings).assemble();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/float_environment.h"
 #include "core/geometry/direction.h"
 #include "core/geometry/trig.h"
 #include "core/visibility/camera_frame.h"
@@ -92,6 +93,7 @@ Mat4 matrix_of(const CameraFrame& frame, const Scale& scale, double world_per_ce
 }  // namespace
 
 View make_view(const Scene& scene, const Grid& grid, double margin) {
+  const FloatEnvironment ours;
   const Bounds bounds = scene_bounds(scene);
   const CameraFrame frame = camera_frame(scene.camera, bounds);
   const Scale scale = choose_scale(scene, grid, frame, margin);
