@@ -54,30 +54,28 @@ int side_of_point(const Plane& plane, const Vec3& p) {
   return sign_of_dot(homogeneous(plane), Vec4(p, 1.0));
 }
 
-DepthField::DepthField(const std::vector<Plane>& planes, const View& view) : planes_(planes) {
-  std::array<std::array<double, 4>, 4> rounded;
+DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& further,
+                   const View& view)
+    : planes_(planes), further_(further) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       Expansion cofactor = minor3(view.matrix, j, i);
       if ((i + j) % 2 == 1) cofactor = -cofactor;
-      rounded[i][j] = cofactor.approximate();
+      rounded_[i][j] = cofactor.approximate();
       adjugate_[i][j] = std::move(cofactor);
     }
-  depths_.resize(planes.size());
-  seen_edge_on_.resize(planes.size(), 0);
-  for (Index p = 0; p < planes.size(); ++p) set_up(p, rounded);
 }
 
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
 // z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
-void DepthField::set_up(Index plane, const std::array<std::array<double, 4>, 4>& rounded) {
-  const Vec4 pi = homogeneous(planes_[plane]);
+std::optional<DepthPlane> DepthMap::depth(Index number) const {
+  const Vec4 pi = homogeneous(plane(number));
   double value[4], error[4];
   for (int j = 0; j < 4; ++j) {
     double sum = 0, size = 0;
     for (int i = 0; i < 4; ++i) {
-      sum += pi[i] * rounded[i][j];
-      size += std::fabs(pi[i] * rounded[i][j]);
+      sum += pi[i] * rounded_[i][j];
+      size += std::fabs(pi[i] * rounded_[i][j]);
     }
     value[j] = sum;
     error[j] = kDotError * size;
@@ -86,49 +84,35 @@ void DepthField::set_up(Index plane, const std::array<std::array<double, 4>, 4>&
   // digits of pi'_z, take them exactly.
   constexpr double kDigitsWanted = 1e-13;
   if (error[3] > kDigitsWanted * std::fabs(value[3])) {
-    const std::array<Expansion, 4> sure = exact(plane);
+    const std::array<Expansion, 4> sure = exact(number);
     for (int j = 0; j < 4; ++j) {
       value[j] = sure[j].approximate();
       error[j] = 2 * kEps * std::fabs(value[j]);
     }
   }
-  DepthPlane& d = depths_[plane];
-  if (value[3] == 0) {
-    seen_edge_on_[plane] = 1;
-    d = {};
-    return;
-  }
+  if (value[3] == 0) return std::nullopt;
   const double over = 1 / value[3];
   const double relative =
       error[3] * std::fabs(over) + 4 * kEps;  // of 1 / pi'_z, products and the sum a x + b y + c
-  d = {-value[0] * over, -value[1] * over, -value[2] * over, 0, 0, 0};
+  DepthPlane d{-value[0] * over, -value[1] * over, -value[2] * over, 0, 0, 0};
   const auto bound = [&](double v, double e) {
     return 2 * (e * std::fabs(over) + std::fabs(v) * relative);
   };
   d.ea = bound(d.a, error[0]);
   d.eb = bound(d.b, error[1]);
   d.ec = bound(d.c, error[2]);
+  return d;
 }
 
-int DepthField::compare(Index f, Index g, double x, double y) const {
-  if (f == g) return 0;
-  const DepthPlane& p = depths_[f];
-  const DepthPlane& q = depths_[g];
-  const double difference = p.at(x, y) - q.at(x, y);
-  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
-  if (std::fabs(difference) > error) return sign_of(difference);
-  return compare_exactly(f, g, x, y);
-}
-
-std::array<Expansion, 4> DepthField::exact(Index plane) const {
-  const Vec4 pi = homogeneous(planes_[plane]);
+std::array<Expansion, 4> DepthMap::exact(Index number) const {
+  const Vec4 pi = homogeneous(plane(number));
   std::array<Expansion, 4> result;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) result[j] = result[j] + Expansion(pi[i]) * adjugate_[i][j];
   return result;
 }
 
-int DepthField::compare_exactly(Index f, Index g, double x, double y) const {
+int DepthMap::compare_exactly(Index f, Index g, double x, double y) const {
   const std::array<Expansion, 4> p = exact(f), q = exact(g);
   const auto over = [&](const std::array<Expansion, 4>& e) {
     return e[0] * Expansion(x) + e[1] * Expansion(y) + e[2];
@@ -136,6 +120,27 @@ int DepthField::compare_exactly(Index f, Index g, double x, double y) const {
   // z_f - z_g = -P/p3 + Q/q3, so its sign is that of (Q p3 - P q3) times those of p3 and q3.
   const Expansion difference = over(q) * p[3] - over(p) * q[3];
   return difference.sign() * p[3].sign() * q[3].sign();
+}
+
+namespace {
+const std::vector<Plane> kNoFurther;
+}
+
+DepthField::DepthField(const std::vector<Plane>& planes, const View& view)
+    : map_(planes, kNoFurther, view) {
+  depths_.reserve(planes.size());
+  seen_edge_on_.reserve(planes.size());
+  for (Index p = 0; p < planes.size(); ++p) {
+    const std::optional<DepthPlane> d = map_.depth(p);
+    depths_.push_back(d.value_or(DepthPlane{}));
+    seen_edge_on_.push_back(!d);
+  }
+}
+
+int DepthField::compare(Index f, Index g, double x, double y) const {
+  if (f == g) return 0;
+  const int side = compare_roughly(depths_[f], depths_[g], x, y);
+  return side != 0 ? side : map_.compare_exactly(f, g, x, y);
 }
 
 }  // namespace overstrike

@@ -2,6 +2,8 @@
 // Depth of planes in a view, compared exactly: error-bounded doubles first, expansions when those
 // cannot tell.
 #include <array>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/expansion.h"
@@ -18,7 +20,37 @@ struct DepthPlane {
   double at(double x, double y) const { return a * x + b * y + c; }
 };
 
-/// The planes of a canonical input in one view.
+/// The depths of planes in one view, each found when asked for.
+class DepthMap {
+ public:
+  /// `planes` are numbered first, `further` after them. Both are kept by reference.
+  DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& further, const View& view);
+
+  const Plane& plane(Index number) const {
+    return number < planes_.size() ? planes_[number] : further_[number - planes_.size()];
+  }
+  /// nullopt when the plane passes through the eye (exactly): it has no depth.
+  std::optional<DepthPlane> depth(Index plane) const;
+  /// Sign of depth(f) - depth(g) at the point of the grid, in exact arithmetic: 1 when f is nearer.
+  int compare_exactly(Index f, Index g, double x, double y) const;
+
+ private:
+  std::array<Expansion, 4> exact(Index plane) const;
+
+  const std::vector<Plane>& planes_;
+  const std::vector<Plane>& further_;
+  std::array<std::array<Expansion, 4>, 4> adjugate_;
+  std::array<std::array<double, 4>, 4> rounded_;
+};
+
+/// Sign of the difference of two depths at the point of the grid where doubles can tell, else 0.
+inline int compare_roughly(const DepthPlane& p, const DepthPlane& q, double x, double y) {
+  const double difference = p.at(x, y) - q.at(x, y);
+  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
+  return (difference > error) - (difference < -error);
+}
+
+/// All planes of a canonical input in one view.
 class DepthField {
  public:
   DepthField(const std::vector<Plane>& planes, const View& view);
@@ -30,12 +62,7 @@ class DepthField {
   int compare(Index f, Index g, double x, double y) const;
 
  private:
-  std::array<Expansion, 4> exact(Index plane) const;
-  int compare_exactly(Index f, Index g, double x, double y) const;
-  void set_up(Index plane, const std::array<std::array<double, 4>, 4>& rounded);
-
-  const std::vector<Plane>& planes_;
-  std::array<std::array<Expansion, 4>, 4> adjugate_;
+  DepthMap map_;
   std::vector<DepthPlane> depths_;
   std::vector<char> seen_edge_on_;
 };

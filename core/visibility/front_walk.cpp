@@ -1,0 +1,133 @@
+#include "core/visibility/front_walk.h"
+
+#include <algorithm>
+
+namespace overstrike {
+
+FrontWalker::FrontWalker(const FrontTable& table)
+    : table_(table), fronts_(table.bodies.size()), cursors_(table.bodies.size()) {
+  for (std::size_t b = 0; b < cursors_.size(); ++b)
+    cursors_[b] = {table.bodies[b].first_left, table.bodies[b].first_right};
+}
+
+/// To the last side of [first, end) that begins at y or above, or to `first`.
+void FrontWalker::seek(Index& cursor, Index first, Index end, double y) const {
+  const std::vector<OutlineSide>& sides = table_.outlines;
+  constexpr Index kFewSteps = 4;
+  for (Index steps = 0; cursor + 1 < end && sides[cursor + 1].line.y0 <= y; ++cursor)
+    if (++steps > kFewSteps) break;
+  const bool found =
+      sides[cursor].line.y0 <= y && (cursor + 1 == end || sides[cursor + 1].line.y0 > y);
+  if (found) return;
+  const auto after =
+      std::upper_bound(sides.begin() + first, sides.begin() + end, y,
+                       [](double level, const OutlineSide& s) { return level < s.line.y0; });
+  cursor = static_cast<Index>(after - sides.begin());
+  if (cursor > first) --cursor;
+}
+
+Outline FrontWalker::outline_at(Index body, double y) {
+  const FrontBody& front = table_.bodies[body];
+  if (!(front.top <= y && y < front.bottom)) return {Outline::Kind::none, nullptr, nullptr};
+  Cursor& at = cursors_[body];
+  seek(at.left, front.first_left, front.end_left, y);
+  seek(at.right, front.first_right, front.end_right, y);
+  const auto meets = [y](const OutlineSide& s) { return s.line.y0 <= y && y < s.line.y1; };
+  const OutlineSide* left = &table_.outlines[at.left];
+  const OutlineSide* right = &table_.outlines[at.right];
+  // Sides that overlap in their levels, if only by rounding: the last to begin may have ended.
+  const bool known = meets(*left) && meets(*right);
+  if (!known) {
+    if (!front.overlaps && !meets(*left) && !meets(*right))
+      return {Outline::Kind::none, nullptr, nullptr};
+    return {Outline::Kind::several, nullptr, nullptr};
+  }
+  if (front.overlaps) {
+    const auto in = [&](const ManifoldLevels& m) { return m.low <= y && y < m.high; };
+    if (std::any_of(table_.manifold.begin() + front.first_manifold,
+                    table_.manifold.begin() + front.end_manifold, in))
+      return {Outline::Kind::several, left, right};
+  }
+  return {Outline::Kind::one, left, right};
+}
+
+const std::vector<FrontSide>& FrontWalker::front_at(Index body, double y, const Outline& outline) {
+  Front& front = fronts_[body];
+  if (front.from <= y && y < front.until) return front.sides;
+  front.sides.clear();
+  front.from = table_.bodies[body].top, front.until = table_.bodies[body].bottom;
+  if (!walk(body, y, outline, front)) front.sides.clear(), front.until = front.from;
+  return front.sides;
+}
+
+void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) const {
+  const Vec2 &p = table_.points[a], &q = table_.points[b];
+  const bool down = p.y < q.y;
+  const LevelLine line = down ? LevelLine(p, q) : LevelLine(q, p);
+  front.from = std::max(front.from, line.y0);
+  front.until = std::min(front.until, line.y1);
+  front.sides.push_back({line.x0, line.y0, line.slope, face, static_cast<float>(error.of(line))});
+}
+
+/// The corner where the side begins by which the level leaves the face; kNone when it meets more
+/// than two sides. (Each side is met or not by its ends alone, so that their number is even.)
+Index FrontWalker::exit_of(Index face, Index entry, double y) const {
+  const Canonical& c = table_.canonical;
+  const Index loop = c.faces[face].first_loop;
+  const Index first = c.first_corner(loop), end = c.loop_ends[loop];
+  const auto above = [&](Index corner) { return table_.points[c.corners[corner]].y <= y; };
+  const auto next = [&](Index corner) { return corner + 1 == end ? first : corner + 1; };
+  Index a = next(entry), found = kNone;
+  bool a_above = above(a);
+  if (end - first == 3) {
+    // The third corner lies above or below with one end of the entry's side, and the exit is
+    // opposite to that end.
+    const Index apex = next(a);
+    return above(apex) == a_above ? apex : a;
+  }
+  for (; a != entry; a = next(a)) {
+    const bool b_above = above(next(a));
+    if (a_above != b_above) {
+      if (found != kNone) return kNone;
+      found = a;
+    }
+    a_above = b_above;
+  }
+  return found;
+}
+
+bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) const {
+  const Canonical& c = table_.canonical;
+  const LineError& error = table_.bodies[number].line_error;
+  if (number == table_.ground_body()) {
+    for (const OutlineSide* side : {outline.left, outline.right}) {
+      const LevelLine& line = side->line;
+      front.from = std::max(front.from, line.y0), front.until = std::min(front.until, line.y1);
+      front.sides.push_back({line.x0, line.y0, line.slope,
+                             side == outline.left ? table_.ground() : kNone,
+                             static_cast<float>(error.of(line))});
+    }
+    return true;
+  }
+  const CanonicalBody& body = c.bodies[number];
+  const auto end_of = [&](Side s) {
+    const Index loop = c.faces[s.face].first_loop;
+    return s.corner + 1 == c.loop_ends[loop] ? c.first_corner(loop) : s.corner + 1;
+  };
+  Side side = outline.left->side;
+  for (Index steps = body.first_face; steps < body.end_face; ++steps) {
+    add(error, c.corners[side.corner], c.corners[end_of(side)], side.face, front);
+    const Index exit = exit_of(side.face, side.corner, y);
+    if (exit == kNone) return false;
+    const Twin twin = c.twin(body, exit);
+    if (!table_.seen(twin.face)) {
+      const Side last{exit, side.face};
+      add(error, c.corners[exit], c.corners[end_of(last)], kNone, front);
+      return exit == outline.right->side.corner;
+    }
+    side = {twin.corner, twin.face};
+  }
+  return false;
+}
+
+}  // namespace overstrike

@@ -1,0 +1,52 @@
+#pragma once
+// What matters to which band of a picture's levels.
+#include <span>
+#include <vector>
+
+#include "core/geometry/polyhedron.h"
+
+namespace overstrike {
+
+/// Things that stretch over levels, by bands of kHeight levels from 0; what passes through several
+/// is in all of them, in order of its number.
+class LevelBands {
+ public:
+  static constexpr double kHeight = 16;
+
+  /// `at(i)` gives the levels {low, high} of thing i; low > high: it is nowhere.
+  template <class At>
+  LevelBands(double levels, std::size_t count, const At& at) : start_(bands(levels) + 1, 0) {
+    const auto each = [&](const auto& visit) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [low, high] = at(i);
+        if (!(low <= high) || high < 0 || low > levels) continue;
+        for (std::size_t b = band(low), last = band(high); b <= last; ++b)
+          visit(b, static_cast<Index>(i));
+      }
+    };
+    each([&](std::size_t b, Index) { ++start_[b + 1]; });
+    for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    items_.resize(start_.back());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    each([&](std::size_t b, Index i) { items_[next[b]++] = i; });
+  }
+
+  /// The band of a level; the first or last one for what lies outside.
+  std::size_t band(double y) const {
+    const double last = static_cast<double>(start_.size() - 2);
+    const double b = y * (1 / kHeight);
+    return b > 0 ? static_cast<std::size_t>(b < last ? b : last) : 0;
+  }
+  std::span<const Index> operator[](std::size_t band) const {
+    return {items_.data() + start_[band], items_.data() + start_[band + 1]};
+  }
+
+ private:
+  static std::size_t bands(double levels) {
+    return 1 + static_cast<std::size_t>(levels > 0 ? levels / kHeight : 0);
+  }
+  std::vector<std::size_t> start_;
+  std::vector<Index> items_;
+};
+
+}  // namespace overstrike
