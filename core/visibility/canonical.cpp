@@ -265,11 +265,17 @@ class Assembler {
       if (e.right != kNone)
         neighbours.emplace_back(out_.faces[e.left].plane, out_.faces[e.right].plane);
     const WeldedPlanes welded = weld_planes(samples_, points_, neighbours);
-    for (const Index sample : welded.representative)
-      out_.planes.push_back(upright(samples_[sample].fit));
+    // Planes in the order of the faces that lie in them first: who goes over faces in order finds
+    // their planes in order.
+    std::vector<Index> number(welded.representative.size(), kNone);
     for (std::size_t f = 0; f < out_.faces.size(); ++f) {
       CanonicalFace& face = out_.faces[f];
-      face.plane = welded.group[face.plane];
+      const Index group = welded.group[face.plane];
+      if (number[group] == kNone) {
+        number[group] = static_cast<Index>(out_.planes.size());
+        out_.planes.push_back(upright(samples_[welded.representative[group]].fit));
+      }
+      face.plane = number[group];
       face.flipped = glm::dot(normals_[f], out_.planes[face.plane].normal) < 0;
     }
     for (WingedEdge& e : out_.edges)

@@ -129,12 +129,10 @@ void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
   front.near_z = -kInfinity, front.far_z = kInfinity;
-  bool from_front = false, from_behind = false, walk = true;
+  bool from_front = false, from_behind = false, walk = true, triangles = true;
   for (Index i = body.first_face; i < body.end_face; ++i) {
     const CanonicalFace& f = c_.faces[i];
-    FaceTone& tone = table_.tones[i];
-    tone = {};
-    tone.body = number;
+    triangles = triangles && c_.loop_ends[f.end_loop - 1] - c_.first_corner(f.first_loop) == 3;
     const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
     const bool behind = side < 0;
     if (side == 0 || (behind && body.closed && !f.cut)) continue;
@@ -142,15 +140,18 @@ void Builder::look_at_faces(Index number) {
     if (!depth) continue;
     add_depths(front, f, *depth);
     const FaceShade shade = shade_of(c_, f, behind);
+    FaceTone& tone = table_.tones[i];
+    tone.body = number;
     tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
     tone.density = shade.density;
-    tone.seen = true;
+    table_.faces_seen[i] = 1;
     tone.behind = behind;
     tone.smooth = is_smooth(f, behind, tone.density);
     front.seen = true;
     (behind ? from_behind : from_front) = true;
     walk = walk && walkable(f);
   }
+  front.triangles = triangles;
   front.loose = front.seen && (!walk || (from_front && from_behind));
 }
 
@@ -249,13 +250,13 @@ void Builder::find_shared_planes() {
   std::vector<Index> owner(c_.planes.size(), kNone);
   std::vector<char> shared(c_.planes.size(), 0);
   for (Index i = 0; i < c_.faces.size(); ++i) {
-    if (!table_.tones[i].seen) continue;
+    if (!table_.seen(i)) continue;
     const CanonicalFace& f = c_.faces[i];
     if (owner[f.plane] == kNone) owner[f.plane] = f.body;
     if (owner[f.plane] != f.body) shared[f.plane] = 1;
   }
   for (Index i = 0; i < c_.faces.size(); ++i)
-    if (table_.tones[i].seen && shared[c_.faces[i].plane])
+    if (table_.seen(i) && shared[c_.faces[i].plane])
       table_.bodies[c_.faces[i].body].shares_plane = true;
 }
 
@@ -268,14 +269,15 @@ void Builder::add_ground() {
   FaceTone& tone = table_.tones[table_.ground()];
   tone.body = kNone;
   tone.kind = Kind::lit;
-  tone.seen = polygon.size() > 2;
+  const bool is_seen = polygon.size() > 2;
+  table_.faces_seen[table_.ground()] = is_seen;
   FrontBody& ground = table_.bodies[number];
   ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
   ground.near_z = kInfinity, ground.far_z = -kInfinity;
-  ground.seen = tone.seen;
+  ground.seen = is_seen;
   const double reach = std::max(table_.columns, table_.rows) + 1;
   ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
-  if (!tone.seen) return;
+  if (!is_seen) return;
   left_.clear(), right_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
@@ -295,6 +297,7 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view)
       columns(view.grid.columns),
       rows(view.grid.rows),
       points(canonical.vertices.size()),
+      faces_seen(canonical.faces.size() + 1),
       tones(canonical.faces.size() + 1),
       bodies(canonical.bodies.size() + 1),
       further_planes(ground_planes(canonical, view)),

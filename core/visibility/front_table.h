@@ -54,7 +54,6 @@ struct FaceTone {
   double density;  ///< of a smooth face: the mean of its corners
   Index body;
   Kind kind;
-  bool seen;    ///< the eye sees this side of the face, and it has a depth
   bool behind;  ///< seen from behind: a face of an open body
   bool smooth;
 };
@@ -73,6 +72,7 @@ struct FrontBody {
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
   bool seen = false;
   bool loose = false;
+  bool triangles = false;     ///< all its faces are
   bool overlaps = false;      ///< it has manifold levels, or others where sides overlap
   bool shares_plane = false;  ///< a seen face lies in a plane with another body's, or may do
 };
@@ -91,14 +91,15 @@ struct FrontTable {
   View view;
   double columns, rows;
   std::vector<Vec2> points;     ///< of the vertices
-  std::vector<FaceTone> tones;  ///< of the canonical faces
+  std::vector<char> faces_seen;  ///< per face: the eye sees this side of it, and it has a depth
+  std::vector<FaceTone> tones;   ///< of the faces that are seen
   std::vector<FrontBody> bodies;
   std::vector<OutlineSide> outlines;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
   std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
   DepthMap depths;
 
-  bool seen(Index face) const { return face != kNone && tones[face].seen; }
+  bool seen(Index face) const { return face != kNone && faces_seen[face] != 0; }
   /// The ground is the face after the canonical ones, and the body after them.
   Index ground() const { return static_cast<Index>(canonical.faces.size()); }
   Index ground_body() const { return static_cast<Index>(canonical.bodies.size()); }

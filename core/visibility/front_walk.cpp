@@ -79,12 +79,6 @@ Index FrontWalker::exit_of(Index face, Index entry, double y) const {
   const auto next = [&](Index corner) { return corner + 1 == end ? first : corner + 1; };
   Index a = next(entry), found = kNone;
   bool a_above = above(a);
-  if (end - first == 3) {
-    // The third corner lies above or below with one end of the entry's side, and the exit is
-    // opposite to that end.
-    const Index apex = next(a);
-    return above(apex) == a_above ? apex : a;
-  }
   for (; a != entry; a = next(a)) {
     const bool b_above = above(next(a));
     if (a_above != b_above) {
@@ -94,6 +88,51 @@ Index FrontWalker::exit_of(Index face, Index entry, double y) const {
     a_above = b_above;
   }
   return found;
+}
+
+/// Between two sides that a level meets lies one corner of a triangle; it takes the place of the
+/// upper end of the side or of the lower one.
+bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& error, double y,
+                                 const Outline& outline, Front& front) const {
+  const Canonical& c = table_.canonical;
+  const Vec2* const points = table_.points.data();
+  const Index* const corners = c.corners.data();
+  const Twin* const twins = c.twins.data() + body.first_twin - body.first_corner;
+  Side side = outline.left->side;
+  const bool behind = table_.tones[side.face].behind;
+  const auto first_of = [&](Index face) {
+    return body.first_corner + 3 * (face - body.first_face);
+  };
+  const auto after = [](Index corner, Index first) {
+    return corner - first == 2 ? first : corner + 1;
+  };
+  Index first = first_of(side.face);
+  Vec2 top = points[corners[side.corner]], bottom = points[corners[after(side.corner, first)]];
+  if (behind) std::swap(top, bottom);
+  double from = front.from, until = front.until;
+  const auto add = [&](Index face) {
+    from = std::max(from, top.y), until = std::min(until, bottom.y);
+    const double slope = (bottom.x - top.x) / (bottom.y - top.y);
+    const double slack = error.constant + error.per_slope * std::fabs(slope);
+    front.sides.push_back({top.x, top.y, slope, face, static_cast<float>(slack)});
+  };
+  for (Index steps = body.first_face; steps < body.end_face; ++steps) {
+    add(side.face);
+    const Index next = after(side.corner, first), last = after(next, first);
+    const Vec2& apex = points[corners[last]];
+    const bool above = apex.y <= y;
+    (above ? top : bottom) = apex;
+    const Index exit = above != behind ? next : last;
+    const Twin twin = twins[exit];
+    if (twin.face == kNone || !table_.seen(twin.face + body.first_face)) {
+      add(kNone);
+      front.from = from, front.until = until;
+      return exit == outline.right->side.corner;
+    }
+    side = {twin.corner + body.first_corner, twin.face + body.first_face};
+    first = first_of(side.face);
+  }
+  return false;
 }
 
 bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) const {
@@ -110,6 +149,7 @@ bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& fr
     return true;
   }
   const CanonicalBody& body = c.bodies[number];
+  if (table_.bodies[number].triangles) return walk_triangles(body, error, y, outline, front);
   const auto end_of = [&](Side s) {
     const Index loop = c.faces[s.face].first_loop;
     return s.corner + 1 == c.loop_ends[loop] ? c.first_corner(loop) : s.corner + 1;

@@ -43,6 +43,8 @@ class FrontWalker {
     Index left = 0, right = 0;
   };
   bool walk(Index body, double y, const Outline& outline, Front& front) const;
+  bool walk_triangles(const CanonicalBody& body, const LineError& error, double y,
+                      const Outline& outline, Front& front) const;
   void add(const LineError& error, Index a, Index b, Index face, Front& front) const;
   Index exit_of(Index face, Index entry, double y) const;
   void seek(Index& cursor, Index first, Index end, double y) const;

@@ -25,7 +25,7 @@ ReceiverShadows::ReceiverShadows(const FrontTable& table, const std::vector<Shad
   if (shadows.empty()) return;
   of_face_.assign(table.tones.size(), kNone);
   for (const Shadow& shadow : shadows) {
-    if (!table.tones[shadow.receiver].seen) continue;
+    if (!table.seen(shadow.receiver)) continue;
     of_face_[shadow.receiver] = static_cast<Index>(receivers_.size());
     Receiver receiver{shadow.covered, lines_.size(), 0, kNoBands};
     for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view);

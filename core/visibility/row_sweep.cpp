@@ -190,32 +190,49 @@ void RowSweep::show(Item& item, double x0, double x1, float slack0, float slack1
   while (at + 2 < item.end && sides_[at + 1].x <= x0) ++at;
   double x = x0;
   float slack = slack0;
+  const auto show_to = [&](double end, float end_slack) {
+    if (x == x0) {
+      append(pieces, {x, end, sides_[at].face, slack, end_slack});
+    } else {
+      pieces.push_back({x, end, sides_[at].face, slack, end_slack});
+    }
+  };
   for (; at + 2 < item.end && sides_[at + 1].x < x1; ++at) {
     const RowSide& next = sides_[at + 1];
-    if (next.x > x) append(pieces, {x, next.x, sides_[at].face, slack, next.slack});
+    if (next.x > x) show_to(next.x, next.slack);
     x = std::max(x, next.x), slack = next.slack;
   }
-  append(pieces, {x, x1, sides_[at].face, slack, slack1});
+  show_to(x1, slack1);
   item.at = at;
 }
 
-/// Goes over the spans between the sides of all contenders.
+void RowSweep::Contender::look(const RowSide* sides, const FaceOrder& order, double y) {
+  face = sides[at].face;
+  const DepthPlane& d = order.depth_of(face);
+  slope = d.a, constant = d.b * y + d.c;
+  slope_error = d.ea, constant_error = d.eb * std::fabs(y) + d.ec;
+}
+
+/// Goes over the spans between the sides of all contenders. As everywhere, spans of rounding's
+/// making are left to their neighbours; but a whole interval has none.
 void RowSweep::merge(double y, double x0, double x1, float slack0, float slack1,
                      std::vector<SpanPiece>& pieces) {
-  for (const Index i : contenders_)
-    while (items_[i].at + 2 < items_[i].end && sides_[items_[i].at + 1].x <= x0) ++items_[i].at;
+  meeting_.clear();
+  for (const Index i : contenders_) {
+    Item& item = items_[i];
+    while (item.at + 2 < item.end && sides_[item.at + 1].x <= x0) ++item.at;
+    meeting_.push_back({i, item.at, item.end});
+    meeting_.back().look(sides_.data(), faces_, y);
+  }
   double x = x0;
   double slack = slack0;
   while (x < x1) {
     double next = x1;
     float next_slack = slack1;
-    for (const Index i : contenders_) {
-      const Index after = items_[i].at + 1;
-      if (after + 1 < items_[i].end && sides_[after].x < next)
-        next = sides_[after].x, next_slack = sides_[after].slack;
+    for (const Contender& c : meeting_) {
+      const RowSide& after = sides_[c.at + 1];
+      if (c.at + 2 < c.end && after.x < next) next = after.x, next_slack = after.slack;
     }
-    // As everywhere, spans of rounding's making are left to their neighbours; but a whole interval
-    // has none.
     if (next - x > slack + next_slack || (next == x1 && x == x0)) {
       compare(y, x, next, static_cast<float>(slack), next_slack, pieces);
       slack = std::max<double>(next_slack, slack - (next - x));
@@ -227,39 +244,40 @@ void RowSweep::merge(double y, double x0, double x1, float slack0, float slack1,
         x = x1;
       }
     }
-    for (const Index i : contenders_)
-      while (items_[i].at + 2 < items_[i].end && sides_[items_[i].at + 1].x <= next) ++items_[i].at;
+    for (Contender& c : meeting_) {
+      const Index before = c.at;
+      while (c.at + 2 < c.end && sides_[c.at + 1].x <= next) ++c.at;
+      if (c.at != before) c.look(sides_.data(), faces_, y);
+    }
   }
+  for (const Contender& c : meeting_) items_[c.item].at = c.at;
+}
+
+/// The contender that is nearest at x, where doubles can tell; else null.
+const RowSweep::Contender* RowSweep::surely_nearest(double x) const {
+  const Contender* best = &meeting_[0];
+  for (const Contender& c : std::span(meeting_).subspan(1)) {
+    const double difference = c.depth(x) - best->depth(x);
+    if (std::fabs(difference) <= c.error(x) + best->error(x)) return nullptr;
+    if (difference > 0) best = &c;
+  }
+  return best;
 }
 
 void RowSweep::compare(double y, double x0, double x1, float slack0, float slack1,
                        std::vector<SpanPiece>& pieces) {
-  span_faces_.clear();
-  for (const Index i : contenders_) span_faces_.push_back(sides_[items_[i].at].face);
+  // What is surely nearest at both ends is so between them.
   const double low = x0 + slack0, high = x1 - slack1;
-  // Where doubles tell who is nearest at both ends, and it is the same face, there is no crossing.
-  Index best = span_faces_[0];
-  bool sure = low < high;
-  for (std::size_t i = 1; sure && i < span_faces_.size(); ++i) {
-    const DepthPlane of_best = faces_.depth_of(best);
-    const int side = compare_roughly(faces_.depth_of(span_faces_[i]), of_best, low, y);
-    if (side == 0) sure = false;
-    if (side > 0) best = span_faces_[i];
+  if (low < high) {
+    const Contender* nearest = surely_nearest(low);
+    if (nearest != nullptr && nearest == surely_nearest(high))
+      return append(pieces, {x0, x1, nearest->face, slack0, slack1});
   }
-  for (std::size_t i = 0; sure && i < span_faces_.size(); ++i) {
-    if (span_faces_[i] == best) continue;
-    const DepthPlane of_best = faces_.depth_of(best);
-    sure = compare_roughly(of_best, faces_.depth_of(span_faces_[i]), high, y) > 0;
-  }
-  if (sure) return append(pieces, {x0, x1, best, slack0, slack1});
-  const std::size_t first = pieces.size();
-  split_at_crossings(faces_, span_faces_, x0, x1, y, slack0, slack1, pieces);
-  // The first of the new ones may go on with what was there.
-  if (first > 0 && first < pieces.size() && pieces[first - 1].x1 == pieces[first].x0 &&
-      pieces[first - 1].face == pieces[first].face) {
-    pieces[first].x0 = pieces[first - 1].x0, pieces[first].slack0 = pieces[first - 1].slack0;
-    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(first) - 1);
-  }
+  span_faces_.clear();
+  for (const Contender& c : meeting_) span_faces_.push_back(c.face);
+  split_.clear();
+  split_at_crossings(faces_, span_faces_, x0, x1, y, slack0, slack1, split_);
+  for (const SpanPiece& piece : split_) append(pieces, piece);
 }
 
 }  // namespace overstrike

@@ -42,6 +42,17 @@ class RowSweep {
     Index at;          ///< the side that the sweep has reached
     Outline outline;
   };
+  /// One of the fronts that may meet: the side that is reached, and the depth of its face on the
+  /// level, linear in x.
+  struct Contender {
+    Index item, at, end;
+    Index face = kNone;
+    double slope = 0, constant = 0, slope_error = 0, constant_error = 0;
+
+    void look(const RowSide* sides, const FaceOrder& order, double y);
+    double depth(double x) const { return slope * x + constant; }
+    double error(double x) const { return slope_error * std::fabs(x) + constant_error; }
+  };
   void collect(double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
@@ -59,6 +70,7 @@ class RowSweep {
             std::vector<SpanPiece>& pieces);
   void merge(double y, double x0, double x1, float slack0, float slack1,
              std::vector<SpanPiece>& pieces);
+  const Contender* surely_nearest(double x) const;
   void compare(double y, double x0, double x1, float slack0, float slack1,
                std::vector<SpanPiece>& pieces);
 
@@ -74,7 +86,9 @@ class RowSweep {
   Index winner_ = kNone;
   std::vector<Index> contenders_;  ///< the winner and what may meet it
   bool chosen_ = false;
+  std::vector<Contender> meeting_;
   std::vector<Index> span_faces_;
+  std::vector<SpanPiece> split_;
 };
 
 }  // namespace overstrike

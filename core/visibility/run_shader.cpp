@@ -11,7 +11,6 @@ double density_tolerance_of(double tolerance) { return std::min(tolerance / 100,
 
 void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
                       std::vector<DensityRun>& runs) {
-  first_run_ = runs.size();
   spans_of_ = kNone;
   for (const SpanPiece& piece : pieces) {
     if (shadows_.any(piece.face)) {
@@ -62,28 +61,14 @@ void RunShader::part(double y, const SpanPiece& piece, bool shadowed,
     const DensityLaw& law = table_.canonical.law;
     const double density = std::clamp(law.hmax * law.ground_shadow_factor, 0.0, 1.0);
     if (shadowed)
-      push({piece.x0, piece.x1, density, density, kNoSurface, kNoSurface, Kind::ground_shadow},
-           runs);
+      runs.push_back(
+          {piece.x0, piece.x1, density, density, kNoSurface, kNoSurface, Kind::ground_shadow});
     return;
   }
   double density = tone.density;
   if (shadowed) density = shade_density(table_.canonical, table_.canonical.bodies[tone.body]);
-  push({piece.x0, piece.x1, density, density, piece.face, tone.body,
-        shadowed ? Kind::shadow : tone.kind},
-       runs);
-}
-
-void RunShader::push(const DensityRun& run, std::vector<DensityRun>& runs) const {
-  if (runs.size() > first_run_) {
-    DensityRun& last = runs.back();
-    if (last.x1 == run.x0 && last.surface == run.surface && last.kind == run.kind &&
-        last.density1 == run.density0 && last.density0 == run.density0 &&
-        run.density0 == run.density1) {
-      last.x1 = run.x1;
-      return;
-    }
-  }
-  runs.push_back(run);
+  runs.push_back({piece.x0, piece.x1, density, density, piece.face, tone.body,
+                  shadowed ? Kind::shadow : tone.kind});
 }
 
 /// Density times 1/w^ and 1/w^ itself are linear over the grid on a triangle of the face's fan (the
@@ -146,7 +131,7 @@ void RunShader::smooth(double y, const SpanPiece& piece, std::vector<DensityRun>
       run.density0 = gradient.at(x, y), run.density1 = gradient.at(to, y);
       bent(run, gradient, y, 0, runs);
     } else {
-      push(run, runs);
+      runs.push_back(run);
     }
     x = to;
   }

@@ -23,7 +23,6 @@ class RunShader {
 
   /// Appends the runs of one level.
   void shade(double y, const std::vector<SpanPiece>& pieces, std::vector<DensityRun>& runs);
-  /// The same where nothing is seen but the ground, on [x0, x1).
 
  private:
   /// Density over the grid: (q . (x, y, 1)) / (w . (x, y, 1)).
@@ -39,12 +38,10 @@ class RunShader {
   void bent(DensityRun run, const Gradient& gradient, double y, int depth,
             std::vector<DensityRun>& runs) const;
   bool gradient_of(Index face, Index corner, Gradient& out) const;
-  void push(const DensityRun& run, std::vector<DensityRun>& runs) const;
 
   const FrontTable& table_;
   const ReceiverShadows& shadows_;
   double density_tolerance_;
-  std::size_t first_run_ = 0;  ///< of the present level; runs before it are other levels'
   Index spans_of_ = kNone;     ///< the face whose shadow spans are in spans_
   std::vector<ShadowSpan> spans_;
   std::vector<double> ribs_;
