@@ -37,11 +37,19 @@ class LevelBands {
     const double b = y * (1 / kHeight);
     return b > 0 ? static_cast<std::size_t>(b < last ? b : last) : 0;
   }
+  /// The levels of a band, low <= y < high; the first and last go on without end.
+  double low(std::size_t band) const {
+    return band == 0 ? -kEndless : static_cast<double>(band) * kHeight;
+  }
+  double high(std::size_t band) const {
+    return band + 2 == start_.size() ? kEndless : static_cast<double>(band + 1) * kHeight;
+  }
   std::span<const Index> operator[](std::size_t band) const {
     return {items_.data() + start_[band], items_.data() + start_[band + 1]};
   }
 
  private:
+  static constexpr double kEndless = 1e300;
   static std::size_t bands(double levels) {
     return 1 + static_cast<std::size_t>(levels > 0 ? levels / kHeight : 0);
   }

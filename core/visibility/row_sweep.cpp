@@ -33,36 +33,39 @@ RowSweep::RowSweep(const SweepTable& table)
 
 void RowSweep::resolve(double y, std::vector<SpanPiece>& pieces) {
   not_walkable_.clear();
+  if (!plan_holds(y)) make_plan(y);
   // Again when a front turns out not to be walkable: the body is taken by its edges then.
-  for (const std::size_t before = pieces.size();; pieces.resize(before)) {
-    collect(y);
-    if (sweep(y, pieces)) return;
-  }
+  for (const std::size_t before = pieces.size(); !follow_plan(y, pieces); pieces.resize(before))
+    make_plan(y);
 }
 
-void RowSweep::add_item(const Item& item) {
-  if (!(item.x0 < item.x1) || item.x1 <= 0 || item.x0 >= table_.fronts.columns) return;
-  items_.push_back(item);
+bool RowSweep::plan_holds(double y) {
+  if (!(from_ <= y && y < until_)) return false;
+  double before = -kInfinity;
+  bool holds = true;
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const double x = events_[i].x_at(y);
+    event_x_[i] = x;
+    holds = holds && (events_[i].same ? x == before : x > before);
+    before = x;
+  }
+  return holds;
+}
+
+void RowSweep::make_plan(double y) {
+  collect(y);
+  lay_out();
 }
 
 void RowSweep::collect(double y) {
-  items_.clear(), sides_.clear();
+  items_.clear(), sides_.clear(), ends_.clear();
   const std::size_t band = table_.bodies.band(y);
-  for (const Index body : table_.bodies[band]) {
-    const Outline outline = walker_.outline_at(body, y);
-    if (outline.kind == Outline::Kind::none) continue;
-    const bool walkable =
-        outline.kind == Outline::Kind::one &&
-        std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
-    if (!walkable) {
-      collect_loose(body, y);
-      continue;
-    }
-    const LineError& error = table_.fronts.bodies[body].line_error;
-    add_item({outline.left->line.x_at(y), outline.right->line.x_at(y),
-              static_cast<float>(error.of(outline.left->line)),
-              static_cast<float>(error.of(outline.right->line)), body, kNone, kNone, 0, outline});
-  }
+  from_ = table_.bodies.low(band), until_ = table_.bodies.high(band);
+  const ItemEnd edge{0, kNone, false, {0, 0, 0, 0, false}};
+  ends_.push_back(edge);
+  ends_.push_back(edge);
+  ends_.back().x = ends_.back().event.x0 = table_.fronts.columns;
+  for (const Index body : table_.bodies[band]) collect_front(body, y);
   const std::span<const Index> edges = table_.loose.in_band(band);
   for (std::size_t i = 0; i < edges.size();) {
     if (!loose_) loose_.emplace(table_.fronts, faces_);
@@ -72,7 +75,43 @@ void RowSweep::collect(double y) {
     const std::size_t first = sides_.size();
     loose_->resolve(y, sides_);
     add_stretches(body, first);
+    until_ = from_;
   }
+}
+
+void RowSweep::collect_front(Index body, double y) {
+  const FrontBody& front = table_.fronts.bodies[body];
+  const Outline outline = walker_.outline_at(body, y);
+  if (outline.kind == Outline::Kind::none) {
+    if (y < front.top) {
+      until_ = std::min(until_, front.top);
+    } else {
+      from_ = std::max(from_, y < front.bottom ? y : front.bottom);
+      if (y < front.bottom) until_ = from_;
+    }
+    return;
+  }
+  const bool known = outline.kind == Outline::Kind::one &&
+                     std::find(not_walkable_.begin(), not_walkable_.end(), body) ==
+                         not_walkable_.end();
+  if (!known) return collect_loose(body, y);
+  const LevelLine &left = outline.left->line, &right = outline.right->line;
+  from_ = std::max({from_, left.y0, right.y0});
+  until_ = std::min({until_, left.y1, right.y1});
+  if (front.overlaps) until_ = from_;
+  const double x0 = left.x_at(y), x1 = right.x_at(y);
+  if (!(x0 < x1)) {
+    until_ = from_;
+    return;
+  }
+  const Index item = static_cast<Index>(items_.size());
+  items_.push_back({body, outline, kNone, kNone, kNone});
+  const auto end = [&](const LevelLine& line, double x, bool begins) {
+    const float slack = static_cast<float>(front.line_error.of(line));
+    return ItemEnd{x, item, begins, {line.x0, line.y0, line.slope, slack, false}};
+  };
+  ends_.push_back(end(left, x0, true));
+  ends_.push_back(end(right, x1, false));
 }
 
 void RowSweep::collect_loose(Index number, double y) {
@@ -85,84 +124,86 @@ void RowSweep::collect_loose(Index number, double y) {
   const std::size_t first = sides_.size();
   loose_->resolve(y, sides_);
   add_stretches(number, first);
+  until_ = from_;
 }
 
 void RowSweep::add_stretches(Index body, std::size_t first) {
   for (std::size_t end = first; end < sides_.size(); ++end) {
     if (sides_[end].face != kNone) continue;
     const RowSide &left = sides_[first], &right = sides_[end];
-    add_item({left.x,
-              right.x,
-              left.slack,
-              right.slack,
-              body,
-              static_cast<Index>(first),
-              static_cast<Index>(end + 1),
-              static_cast<Index>(first),
-              {}});
+    if (left.x < right.x) {
+      const Index item = static_cast<Index>(items_.size());
+      items_.push_back({body, {}, static_cast<Index>(first), static_cast<Index>(end + 1),
+                        static_cast<Index>(first)});
+      ends_.push_back({left.x, item, true, {left.x, 0, 0, left.slack, false}});
+      ends_.push_back({right.x, item, false, {right.x, 0, 0, right.slack, false}});
+    }
     first = end + 1;
   }
 }
 
-bool RowSweep::sweep(double y, std::vector<SpanPiece>& pieces) {
-  by_x_.resize(items_.size());
-  for (Index i = 0; i < by_x_.size(); ++i) by_x_[i] = i;
-  std::sort(by_x_.begin(), by_x_.end(), [&](Index a, Index b) {
-    return items_[a].x0 != items_[b].x0 ? items_[a].x0 < items_[b].x0 : a < b;
+/// Goes over the ends from left to right and notes, between each two that differ, what is seen.
+void RowSweep::lay_out() {
+  std::sort(ends_.begin(), ends_.end(), [](const ItemEnd& a, const ItemEnd& b) {
+    return a.x != b.x ? a.x < b.x : a.item < b.item;
   });
-  active_.clear();
-  chosen_ = false;
-  const double columns = table_.fronts.columns;
-  double x = 0;
-  float slack = 0;
-  for (std::size_t next = 0; x < columns;) {
-    double event = next < by_x_.size() ? items_[by_x_[next]].x0 : kInfinity;
-    float event_slack = next < by_x_.size() ? items_[by_x_[next]].slack0 : 0;
-    for (const Index i : active_)
-      if (items_[i].x1 < event) event = items_[i].x1, event_slack = items_[i].slack1;
-    if (event > x) {
-      const double end = std::min(event, columns);
-      if (!interval(y, x, end, slack, end < columns ? event_slack : 0, pieces)) return false;
-      if (event == kInfinity) return true;
-      x = event, slack = event_slack;
+  events_.clear(), event_x_.clear(), segments_.clear(), contenders_.clear(), active_.clear();
+  bool chosen = false, inside = false;
+  Index first_contender = 0;
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const ItemEnd& end = ends_[i];
+    const Index event = static_cast<Index>(i);
+    events_.push_back(end.event);
+    events_.back().same = i > 0 && ends_[i - 1].x == end.x;
+    event_x_.push_back(end.x);
+    if (end.item == kNone) {
+      inside = !inside;
+    } else if (end.begins) {
+      active_.push_back(end.item);
+      chosen = chosen && order(contenders_[first_contender], end.item) > 0;
+    } else {
+      std::erase(active_, end.item);
+      chosen = chosen && std::find(contenders_.begin() + first_contender, contenders_.end(),
+                                   end.item) == contenders_.end();
     }
-    const std::size_t before = active_.size();
-    std::erase_if(active_, [&](Index i) { return items_[i].x1 <= event; });
-    chosen_ = chosen_ && active_.size() == before;
-    for (; next < by_x_.size() && items_[by_x_[next]].x0 <= event; ++next) {
-      const Index item = by_x_[next];
-      active_.push_back(item);
-      chosen_ = chosen_ && winner_ != kNone && order(winner_, item) > 0;
-    }
+    if (i + 1 == ends_.size() || ends_[i + 1].x == end.x || !inside || active_.empty()) continue;
+    if (!chosen) first_contender = static_cast<Index>(contenders_.size()), choose();
+    chosen = true;
+    segments_.push_back({event, event + 1, first_contender, static_cast<Index>(contenders_.size())});
   }
-  return true;
 }
 
-/// The winner: no other lies surely before it. What may meet it contends.
+/// Appends the winner, before which no other surely lies, and what may meet it.
 void RowSweep::choose() {
-  winner_ = active_.front();
+  Index winner = active_.front();
   for (std::size_t turns = 0; turns < active_.size(); ++turns) {
-    const Index before = winner_;
+    const Index before = winner;
     for (const Index i : active_)
-      if (i != winner_ && order(i, winner_) > 0) winner_ = i;
-    if (winner_ == before) break;
+      if (i != winner && order(i, winner) > 0) winner = i;
+    if (winner == before) break;
   }
-  contenders_.assign(1, winner_);
+  contenders_.push_back(winner);
   for (const Index i : active_)
-    if (i != winner_ && order(winner_, i) <= 0) contenders_.push_back(i);
-  chosen_ = true;
+    if (i != winner && order(winner, i) <= 0) contenders_.push_back(i);
 }
 
-bool RowSweep::interval(double y, double x0, double x1, float slack0, float slack1,
-                        std::vector<SpanPiece>& pieces) {
-  if (active_.empty()) return true;
-  if (!chosen_) choose();
-  for (const Index i : contenders_)
-    if (items_[i].first == kNone && !walk(items_[i], y)) return false;
-  if (contenders_.size() == 1) {
-    show(items_[winner_], x0, x1, slack0, slack1, pieces);
-  } else {
-    merge(y, x0, x1, slack0, slack1, pieces);
+bool RowSweep::follow_plan(double y, std::vector<SpanPiece>& pieces) {
+  if (from_ < until_) {
+    sides_.clear();
+    for (Item& item : items_) item.first = kNone;
+  }
+  for (const Segment& s : segments_) {
+    const Interval over{event_x_[s.from], event_x_[s.to], events_[s.from].slack,
+                        events_[s.to].slack};
+    const std::span contenders(contenders_.data() + s.first_contender,
+                               contenders_.data() + s.end_contender);
+    for (const Index i : contenders)
+      if (items_[i].first == kNone && !walk(items_[i], y)) return false;
+    if (contenders.size() == 1) {
+      show(items_[contenders[0]], over, pieces);
+    } else {
+      merge(y, contenders, over, pieces);
+    }
   }
   return true;
 }
@@ -175,34 +216,36 @@ bool RowSweep::walk(Item& item, double y) {
     return false;
   }
   item.first = item.at = static_cast<Index>(sides_.size());
-  double x = item.x0;
-  for (const FrontSide& side : front) {
-    x = std::min(std::max(x, side.x_at(y)), item.x1);
-    sides_.push_back({x, side.face, side.slack});
+  sides_.resize(sides_.size() + front.size());
+  RowSide* side = sides_.data() + item.first;
+  const double last = front.back().x_at(y);
+  double x = front.front().x_at(y);
+  for (const FrontSide& s : front) {
+    x = std::min(std::max(x, s.x_at(y)), last);
+    *side++ = {x, s.face, s.slack};
   }
   item.end = static_cast<Index>(sides_.size());
   return true;
 }
 
-void RowSweep::show(Item& item, double x0, double x1, float slack0, float slack1,
-                    std::vector<SpanPiece>& pieces) {
+void RowSweep::show(Item& item, const Interval& over, std::vector<SpanPiece>& pieces) {
   Index at = item.at;
-  while (at + 2 < item.end && sides_[at + 1].x <= x0) ++at;
-  double x = x0;
-  float slack = slack0;
+  while (at + 2 < item.end && sides_[at + 1].x <= over.x0) ++at;
+  double x = over.x0;
+  float slack = over.slack0;
   const auto show_to = [&](double end, float end_slack) {
-    if (x == x0) {
+    if (x == over.x0) {
       append(pieces, {x, end, sides_[at].face, slack, end_slack});
     } else {
       pieces.push_back({x, end, sides_[at].face, slack, end_slack});
     }
   };
-  for (; at + 2 < item.end && sides_[at + 1].x < x1; ++at) {
+  for (; at + 2 < item.end && sides_[at + 1].x < over.x1; ++at) {
     const RowSide& next = sides_[at + 1];
     if (next.x > x) show_to(next.x, next.slack);
     x = std::max(x, next.x), slack = next.slack;
   }
-  show_to(x1, slack1);
+  show_to(over.x1, over.slack1);
   item.at = at;
 }
 
@@ -215,33 +258,33 @@ void RowSweep::Contender::look(const RowSide* sides, const FaceOrder& order, dou
 
 /// Goes over the spans between the sides of all contenders. As everywhere, spans of rounding's
 /// making are left to their neighbours; but a whole interval has none.
-void RowSweep::merge(double y, double x0, double x1, float slack0, float slack1,
+void RowSweep::merge(double y, std::span<const Index> contenders, const Interval& over,
                      std::vector<SpanPiece>& pieces) {
   meeting_.clear();
-  for (const Index i : contenders_) {
+  for (const Index i : contenders) {
     Item& item = items_[i];
-    while (item.at + 2 < item.end && sides_[item.at + 1].x <= x0) ++item.at;
+    while (item.at + 2 < item.end && sides_[item.at + 1].x <= over.x0) ++item.at;
     meeting_.push_back({i, item.at, item.end});
     meeting_.back().look(sides_.data(), faces_, y);
   }
-  double x = x0;
-  double slack = slack0;
-  while (x < x1) {
-    double next = x1;
-    float next_slack = slack1;
+  double x = over.x0;
+  double slack = over.slack0;
+  while (x < over.x1) {
+    double next = over.x1;
+    float next_slack = over.slack1;
     for (const Contender& c : meeting_) {
       const RowSide& after = sides_[c.at + 1];
       if (c.at + 2 < c.end && after.x < next) next = after.x, next_slack = after.slack;
     }
-    if (next - x > slack + next_slack || (next == x1 && x == x0)) {
-      compare(y, x, next, static_cast<float>(slack), next_slack, pieces);
+    if (next - x > slack + next_slack || (next == over.x1 && x == over.x0)) {
+      compare(y, {x, next, static_cast<float>(slack), next_slack}, pieces);
       slack = std::max<double>(next_slack, slack - (next - x));
       x = next;
     } else {
       slack = std::max<double>(slack, next_slack);
-      if (next == x1) {
-        if (!pieces.empty() && pieces.back().x1 == x) pieces.back().x1 = x1;
-        x = x1;
+      if (next == over.x1) {
+        if (!pieces.empty() && pieces.back().x1 == x) pieces.back().x1 = next;
+        x = next;
       }
     }
     for (Contender& c : meeting_) {
@@ -264,19 +307,18 @@ const RowSweep::Contender* RowSweep::surely_nearest(double x) const {
   return best;
 }
 
-void RowSweep::compare(double y, double x0, double x1, float slack0, float slack1,
-                       std::vector<SpanPiece>& pieces) {
+void RowSweep::compare(double y, const Interval& over, std::vector<SpanPiece>& pieces) {
   // What is surely nearest at both ends is so between them.
-  const double low = x0 + slack0, high = x1 - slack1;
+  const double low = over.x0 + over.slack0, high = over.x1 - over.slack1;
   if (low < high) {
     const Contender* nearest = surely_nearest(low);
     if (nearest != nullptr && nearest == surely_nearest(high))
-      return append(pieces, {x0, x1, nearest->face, slack0, slack1});
+      return append(pieces, {over.x0, over.x1, nearest->face, over.slack0, over.slack1});
   }
   span_faces_.clear();
   for (const Contender& c : meeting_) span_faces_.push_back(c.face);
   split_.clear();
-  split_at_crossings(faces_, span_faces_, x0, x1, y, slack0, slack1, split_);
+  split_at_crossings(faces_, span_faces_, over.x0, over.x1, y, over.slack0, over.slack1, split_);
   for (const SpanPiece& piece : split_) append(pieces, piece);
 }
 

@@ -4,6 +4,10 @@
 // Fronts enter and leave from left to right. Between two such events the bodies present are the
 // same; one that lies surely before all others (body_order.h) is seen as it is, side after side,
 // and what lies behind is never walked. Only fronts that may meet are compared face by face.
+//
+// Which bodies are seen first between which events is a plan that is kept for the next levels: it
+// follows from the events' order and from nothing else of the level, so that a level at which the
+// same sides meet it in the same order has the same plan.
 #include <vector>
 
 #include "core/visibility/body_order.h"
@@ -35,12 +39,28 @@ class RowSweep {
  private:
   /// A connected stretch of one body's front.
   struct Item {
-    double x0, x1;
-    float slack0, slack1;
     Index body;
-    Index first, end;  ///< in sides_; first == kNone: not walked yet
+    Outline outline;  ///< of a front that is walked
+    Index first, end;  ///< in sides_; first == kNone: not walked on this level yet
     Index at;          ///< the side that the sweep has reached
-    Outline outline;
+  };
+  /// Where something may change: a line, and whether it meets the level where the one before does.
+  struct Event {
+    double x0, y0, slope;
+    float slack;
+    bool same;
+    double x_at(double y) const { return x0 + (y - y0) * slope; }
+  };
+  struct ItemEnd {
+    double x;
+    Index item;  ///< kNone: an end of the level itself
+    bool begins;
+    Event event;
+  };
+  /// From one event to another: what is seen there first, and what may meet it.
+  struct Segment {
+    Index from, to;                      ///< in events_
+    Index first_contender, end_contender;  ///< in contenders_
   };
   /// One of the fronts that may meet: the side that is reached, and the depth of its face on the
   /// level, linear in x.
@@ -53,39 +73,48 @@ class RowSweep {
     double depth(double x) const { return slope * x + constant; }
     double error(double x) const { return slope_error * std::fabs(x) + constant_error; }
   };
+  struct Interval {
+    double x0, x1;
+    float slack0, slack1;
+  };
+  bool plan_holds(double y);
+  void make_plan(double y);
   void collect(double y);
+  void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
-  void add_item(const Item& item);
-  bool sweep(double y, std::vector<SpanPiece>& pieces);
-  bool interval(double y, double x0, double x1, float slack0, float slack1,
-                std::vector<SpanPiece>& pieces);
+  void lay_out();
   void choose();
   int order(Index a, Index b) const {
     return order_of(table_.fronts.bodies[items_[a].body], table_.fronts.bodies[items_[b].body],
                     table_.fronts.view.eye);
   }
+  bool follow_plan(double y, std::vector<SpanPiece>& pieces);
   bool walk(Item& item, double y);
-  void show(Item& item, double x0, double x1, float slack0, float slack1,
-            std::vector<SpanPiece>& pieces);
-  void merge(double y, double x0, double x1, float slack0, float slack1,
+  void show(Item& item, const Interval& over, std::vector<SpanPiece>& pieces);
+  void merge(double y, std::span<const Index> contenders, const Interval& over,
              std::vector<SpanPiece>& pieces);
   const Contender* surely_nearest(double x) const;
-  void compare(double y, double x0, double x1, float slack0, float slack1,
-               std::vector<SpanPiece>& pieces);
+  void compare(double y, const Interval& over, std::vector<SpanPiece>& pieces);
 
   const SweepTable& table_;
   FaceOrder faces_;
   FrontWalker walker_;
   std::optional<LooseResolver> loose_;
-  std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked on this level
+  // The plan: what is seen first between which events, for the levels from <= y < until as long as
+  // the events keep their order.
+  double from_ = 0, until_ = 0;
   std::vector<Item> items_;
-  std::vector<Index> by_x_;
-  std::vector<RowSide> sides_;
+  std::vector<Event> events_;
+  std::vector<Segment> segments_;
+  std::vector<Index> contenders_;
+  // Of making a plan.
+  std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked on this level
+  std::vector<ItemEnd> ends_;
   std::vector<Index> active_;
-  Index winner_ = kNone;
-  std::vector<Index> contenders_;  ///< the winner and what may meet it
-  bool chosen_ = false;
+  // Of one level.
+  std::vector<double> event_x_;
+  std::vector<RowSide> sides_;
   std::vector<Contender> meeting_;
   std::vector<Index> span_faces_;
   std::vector<SpanPiece> split_;
