@@ -1,5 +1,6 @@
 #include "core/visibility/depth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,25 +26,14 @@ Expansion minor3(const Mat4& m, int row, int column) {
          at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
 }
 
-int sign_of(double value) { return (value > 0) - (value < 0); }
-
-/// Sign of p . q over four components, exact.
-int sign_of_dot(const Vec4& p, const Vec4& q) {
-  double sum = 0, size = 0;
-  for (int i = 0; i < 4; ++i) sum += p[i] * q[i], size += std::fabs(p[i] * q[i]);
-  if (std::fabs(sum) > kDotError * size) return sign_of(sum);
-  Expansion exact;
-  for (int i = 0; i < 4; ++i) exact = exact + Expansion(p[i]) * Expansion(q[i]);
-  return exact.sign();
-}
-
 Vec4 homogeneous(const Plane& plane) { return Vec4(plane.normal, -plane.offset); }
 
 }  // namespace
 
-int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
-  const int side = sign_of_dot(homogeneous(plane), eye);
-  return flipped ? -side : side;
+int sign_of_dot_exactly(const Vec4& p, const Vec4& q) {
+  Expansion exact;
+  for (int i = 0; i < 4; ++i) exact = exact + Expansion(p[i]) * Expansion(q[i]);
+  return exact.sign();
 }
 
 int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction) {
@@ -68,18 +58,50 @@ DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& f
 
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
 // z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
-std::optional<DepthPlane> DepthMap::depth(Index number) const {
+DepthMap::Image DepthMap::image(Index number) const {
   const Vec4 pi = homogeneous(plane(number));
-  double value[4], error[4];
-  for (int j = 0; j < 4; ++j) {
-    double sum = 0, size = 0;
-    for (int i = 0; i < 4; ++i) {
-      sum += pi[i] * rounded_[i][j];
-      size += std::fabs(pi[i] * rounded_[i][j]);
+  Image image{};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double term = pi[i] * rounded_[i][j];
+      image.value[j] += term;
+      image.size[j] += std::fabs(term);
     }
-    value[j] = sum;
-    error[j] = kDotError * size;
+  return image;
+}
+
+// |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
+// digits: e_j bound the errors of the components of pi', and the factor covers the rounding of this
+// and of z itself, which is at most as large.
+bool DepthMap::add_range(Index number, std::span<const Index> corners,
+                         const std::vector<Vec2>& points, const Vec2& reach, double& low,
+                         double& high) const {
+  const Image pi = image(number);
+  constexpr double kFirstDigits = 1e-3;
+  if (!(kDotError * pi.size[3] <= kFirstDigits * std::fabs(pi.value[3]))) {
+    low = -HUGE_VAL, high = HUGE_VAL;
+    return depth(number).has_value();
   }
+  const double over = -1 / pi.value[3];
+  const double a = pi.value[0] * over, b = pi.value[1] * over, c = pi.value[2] * over;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Index corner : corners) {
+    const Vec2& p = points[corner];
+    const double z = a * p.x + b * p.y + c;
+    least = std::min(least, z), most = std::max(most, z);
+  }
+  const double farthest = std::max(std::fabs(least), std::fabs(most));
+  const double size =
+      reach.x * pi.size[0] + reach.y * pi.size[1] + pi.size[2] + farthest * pi.size[3];
+  const double error = 4 * kDotError * size * std::fabs(over);
+  low = std::min(low, least - error), high = std::max(high, most + error);
+  return true;
+}
+
+std::optional<DepthPlane> DepthMap::depth(Index number) const {
+  const Image pi = image(number);
+  double value[4], error[4];
+  for (int j = 0; j < 4; ++j) value[j] = pi.value[j], error[j] = kDotError * pi.size[j];
   // Rows of the view's matrix are in the order x^, y^, w^, z^. When cancellation has left few
   // digits of pi'_z, take them exactly.
   constexpr double kDigitsWanted = 1e-13;

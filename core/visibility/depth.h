@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/geometry/expansion.h"
@@ -33,8 +34,18 @@ class DepthMap {
   std::optional<DepthPlane> depth(Index plane) const;
   /// Sign of depth(f) - depth(g) at the point of the grid, in exact arithmetic: 1 when f is nearer.
   int compare_exactly(Index f, Index g, double x, double y) const;
+  /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
+  /// `reach`: widens low..high. False when the plane passes through the eye.
+  bool add_range(Index plane, std::span<const Index> corners, const std::vector<Vec2>& points,
+                 const Vec2& reach, double& low, double& high) const;
 
  private:
+  /// Of the plane as the view's matrix takes it: the components, and the sums of the sizes of their
+  /// terms.
+  struct Image {
+    double value[4], size[4];
+  };
+  Image image(Index plane) const;
   std::array<Expansion, 4> exact(Index plane) const;
 
   const std::vector<Plane>& planes_;
@@ -67,9 +78,25 @@ class DepthField {
   std::vector<char> seen_edge_on_;
 };
 
+/// Sign of a . x + b . y + ... over four components, in exact arithmetic.
+int sign_of_dot_exactly(const Vec4& p, const Vec4& q);
+/// The same: by doubles where they can tell. Each product and each partial sum is rounded by half
+/// an eps: at most 2 eps of the sum of sizes, doubled to cover that this was itself rounded.
+inline int sign_of_dot(const Vec4& p, const Vec4& q) {
+  constexpr double kDotError = 4 * 0x1p-52;
+  const double t0 = p.x * q.x, t1 = p.y * q.y, t2 = p.z * q.z, t3 = p.w * q.w;
+  const double sum = ((t0 + t1) + t2) + t3;
+  const double size = ((std::fabs(t0) + std::fabs(t1)) + std::fabs(t2)) + std::fabs(t3);
+  if (std::fabs(sum) > kDotError * size) return sum > 0 ? 1 : -1;
+  return sign_of_dot_exactly(p, q);
+}
+
 /// Which side of the face's plane the eye is on: 1 outside (front), -1 behind, 0 in its plane.
 /// Exact (NN74 (4)).
-int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye);
+inline int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
+  const int side = sign_of_dot(Vec4(plane.normal, -plane.offset), eye);
+  return flipped ? -side : side;
+}
 /// Sign of dot(normal, direction), exact (NN74 (5)).
 int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction);
 /// Sign of dot(normal, p) - offset, exact.

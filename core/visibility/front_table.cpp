@@ -28,7 +28,6 @@ class Builder {
  private:
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
-  void add_depths(FrontBody& body, const CanonicalFace& f, const DepthPlane& depth) const;
   void add_side(const WingedEdge& edge, bool left_seen);
   void keep_outline(Index number);
   Index corner_of(Index face, Index vertex) const;
@@ -63,6 +62,7 @@ void Builder::project(Index number) {
     table_.points[v] = at;
     most = glm::max(most, glm::abs(at));
   }
+  front.reach = most;
   if (body.first_vertex == body.end_vertex) return;
   Vec4 size = glm::abs(m[3]);
   const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
@@ -113,18 +113,6 @@ bool Builder::walkable(const CanonicalFace& f) const {
   return turns <= 2;
 }
 
-/// The depth of a plane over a face is extreme at its corners.
-void Builder::add_depths(FrontBody& body, const CanonicalFace& f, const DepthPlane& depth) const {
-  const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
-  for (Index i = first; i < end; ++i) {
-    const Vec2& p = table_.points[c_.corners[i]];
-    const double z = depth.at(p.x, p.y);
-    const double error = depth.ea * std::fabs(p.x) + depth.eb * std::fabs(p.y) + depth.ec;
-    body.near_z = std::max(body.near_z, z + error);
-    body.far_z = std::min(body.far_z, z - error);
-  }
-}
-
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
@@ -136,9 +124,11 @@ void Builder::look_at_faces(Index number) {
     const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
     const bool behind = side < 0;
     if (side == 0 || (behind && body.closed && !f.cut)) continue;
-    const std::optional<DepthPlane> depth = table_.depths.depth(f.plane);
-    if (!depth) continue;
-    add_depths(front, f, *depth);
+    // The depth of a plane over a face is extreme at its corners.
+    const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
+    if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
+                                 table_.points, front.reach, front.far_z, front.near_z))
+      continue;
     const FaceShade shade = shade_of(c_, f, behind);
     FaceTone& tone = table_.tones[i];
     tone.body = number;

@@ -64,6 +64,7 @@ constexpr double kThinBody = 0x1p-20;
 
 struct FrontBody {
   Vec3 low, high;              ///< bounds in the world
+  Vec2 reach;                  ///< bounds of the sizes of its points' coordinates
   double near_z, far_z;        ///< of the depths of the seen faces
   double top = 0, bottom = 0;  ///< levels between which something is seen
   LineError line_error;
