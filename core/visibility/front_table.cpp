@@ -129,14 +129,16 @@ void Builder::look_at_faces(Index number) {
     if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
                                  table_.points, front.reach, front.far_z, front.near_z))
       continue;
-    const FaceShade shade = shade_of(c_, f, behind);
     FaceTone& tone = table_.tones[i];
-    tone.body = number;
-    tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
-    tone.density = shade.density;
-    table_.faces_seen[i] = 1;
     tone.behind = behind;
-    tone.smooth = is_smooth(f, behind, tone.density);
+    tone.body = number;
+    table_.faces_seen[i] = 1;
+    if (table_.use == FrontUse::picture) {
+      const FaceShade shade = shade_of(c_, f, behind);
+      tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
+      tone.density = shade.density;
+      tone.smooth = is_smooth(f, behind, tone.density);
+    }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
     walk = walk && walkable(f);
@@ -162,7 +164,7 @@ void Builder::add_side(const WingedEdge& edge, bool left_seen) {
   const bool down = a.y < b.y;
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
   (down != table_.tones[face].behind ? left_ : right_)
-      .push_back({down ? LevelLine(a, b) : LevelLine(b, a), side});
+      .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
 }
 
 /// Closed loops begin as often as they end, so that the beginnings tell for both.
@@ -184,15 +186,12 @@ void Builder::note_manifold_levels(Index number) {
   if (front.loose) table_.manifold.resize(before);
   front.first_manifold = static_cast<Index>(before);
   front.end_manifold = static_cast<Index>(table_.manifold.size());
-  const auto overlap = [](const std::vector<OutlineSide>& sides) {
-    double last = -kInfinity;
-    return std::any_of(sides.begin(), sides.end(), [&](const OutlineSide& side) {
-      const bool found = side.line.y0 < last;
-      last = std::max(last, side.line.y1);
-      return found;
-    });
+  const auto broken = [](const std::vector<OutlineSide>& sides) {
+    for (std::size_t i = 1; i < sides.size(); ++i)
+      if (sides[i].line.y0 != sides[i - 1].line.y1) return true;
+    return false;
   };
-  front.overlaps = overlap(left_) || overlap(right_);
+  front.broken = broken(left_) || broken(right_);
 }
 
 void Builder::keep_outline(Index number) {
@@ -274,16 +273,18 @@ void Builder::add_ground() {
     if (a.y == b.y) continue;
     const bool down = a.y < b.y;
     const Side side{kNone, table_.ground()};
-    (down ? right_ : left_).push_back({down ? LevelLine(a, b) : LevelLine(b, a), side});
+    (down ? right_ : left_)
+        .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
   }
   keep_outline(number);
 }
 
 }  // namespace
 
-FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view)
+FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, FrontUse for_use)
     : canonical(canonical_input),
       view(in_view),
+      use(for_use),
       columns(view.grid.columns),
       rows(view.grid.rows),
       points(canonical.vertices.size()),
@@ -298,6 +299,7 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view)
     builder.look_at_faces(b);
     builder.find_outline(b);
   }
+  if (use == FrontUse::outlines) return;
   builder.find_shared_planes();
   builder.add_ground();
 }

@@ -46,6 +46,7 @@ struct Side {
 
 struct OutlineSide {
   LevelLine line;
+  double x1;  ///< where it ends, at line.y1
   Side side;
 };
 
@@ -73,8 +74,8 @@ struct FrontBody {
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
   bool seen = false;
   bool loose = false;
-  bool triangles = false;     ///< all its faces are
-  bool overlaps = false;      ///< it has manifold levels, or others where sides overlap
+  bool triangles = false;  ///< all its faces are
+  bool broken = false;  ///< its outline is not one chain of sides on the left and one on the right
   bool shares_plane = false;  ///< a seen face lies in a plane with another body's, or may do
 };
 
@@ -83,15 +84,20 @@ struct ManifoldLevels {
   double low, high;
 };
 
+/// What a table is for: a picture, with tones and the ground; or outlines and depths alone, as the
+/// light's view needs them.
+enum class FrontUse : std::uint8_t { picture, outlines };
+
 struct FrontTable {
-  FrontTable(const Canonical& canonical, const View& view);
+  FrontTable(const Canonical& canonical, const View& view, FrontUse use = FrontUse::picture);
   FrontTable(const FrontTable&) = delete;
   FrontTable& operator=(const FrontTable&) = delete;
 
   const Canonical& canonical;
   View view;
+  FrontUse use;
   double columns, rows;
-  std::vector<Vec2> points;     ///< of the vertices
+  std::vector<Vec2> points;      ///< of the vertices
   std::vector<char> faces_seen;  ///< per face: the eye sees this side of it, and it has a depth
   std::vector<FaceTone> tones;   ///< of the faces that are seen
   std::vector<FrontBody> bodies;

@@ -38,11 +38,11 @@ Outline FrontWalker::outline_at(Index body, double y) {
   // Sides that overlap in their levels, if only by rounding: the last to begin may have ended.
   const bool known = meets(*left) && meets(*right);
   if (!known) {
-    if (!front.overlaps && !meets(*left) && !meets(*right))
+    if (!front.broken && !meets(*left) && !meets(*right))
       return {Outline::Kind::none, nullptr, nullptr};
     return {Outline::Kind::several, nullptr, nullptr};
   }
-  if (front.overlaps) {
+  if (front.broken) {
     const auto in = [&](const ManifoldLevels& m) { return m.low <= y && y < m.high; };
     if (std::any_of(table_.manifold.begin() + front.first_manifold,
                     table_.manifold.begin() + front.end_manifold, in))

@@ -91,14 +91,14 @@ void RowSweep::collect_front(Index body, double y) {
     }
     return;
   }
-  const bool known = outline.kind == Outline::Kind::one &&
-                     std::find(not_walkable_.begin(), not_walkable_.end(), body) ==
-                         not_walkable_.end();
+  const bool known =
+      outline.kind == Outline::Kind::one &&
+      std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
   if (!known) return collect_loose(body, y);
   const LevelLine &left = outline.left->line, &right = outline.right->line;
   from_ = std::max({from_, left.y0, right.y0});
   until_ = std::min({until_, left.y1, right.y1});
-  if (front.overlaps) until_ = from_;
+  if (front.broken) until_ = from_;
   const double x0 = left.x_at(y), x1 = right.x_at(y);
   if (!(x0 < x1)) {
     until_ = from_;
@@ -133,7 +133,10 @@ void RowSweep::add_stretches(Index body, std::size_t first) {
     const RowSide &left = sides_[first], &right = sides_[end];
     if (left.x < right.x) {
       const Index item = static_cast<Index>(items_.size());
-      items_.push_back({body, {}, static_cast<Index>(first), static_cast<Index>(end + 1),
+      items_.push_back({body,
+                        {},
+                        static_cast<Index>(first),
+                        static_cast<Index>(end + 1),
                         static_cast<Index>(first)});
       ends_.push_back({left.x, item, true, {left.x, 0, 0, left.slack, false}});
       ends_.push_back({right.x, item, false, {right.x, 0, 0, right.slack, false}});
@@ -169,7 +172,8 @@ void RowSweep::lay_out() {
     if (i + 1 == ends_.size() || ends_[i + 1].x == end.x || !inside || active_.empty()) continue;
     if (!chosen) first_contender = static_cast<Index>(contenders_.size()), choose();
     chosen = true;
-    segments_.push_back({event, event + 1, first_contender, static_cast<Index>(contenders_.size())});
+    segments_.push_back(
+        {event, event + 1, first_contender, static_cast<Index>(contenders_.size())});
   }
 }
 

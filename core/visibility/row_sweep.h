@@ -40,7 +40,7 @@ class RowSweep {
   /// A connected stretch of one body's front.
   struct Item {
     Index body;
-    Outline outline;  ///< of a front that is walked
+    Outline outline;   ///< of a front that is walked
     Index first, end;  ///< in sides_; first == kNone: not walked on this level yet
     Index at;          ///< the side that the sweep has reached
   };
@@ -59,7 +59,7 @@ class RowSweep {
   };
   /// From one event to another: what is seen there first, and what may meet it.
   struct Segment {
-    Index from, to;                      ///< in events_
+    Index from, to;                        ///< in events_
     Index first_contender, end_contender;  ///< in contenders_
   };
   /// One of the fronts that may meet: the side that is reached, and the depth of its face on the

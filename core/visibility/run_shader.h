@@ -42,7 +42,7 @@ class RunShader {
   const FrontTable& table_;
   const ReceiverShadows& shadows_;
   double density_tolerance_;
-  Index spans_of_ = kNone;     ///< the face whose shadow spans are in spans_
+  Index spans_of_ = kNone;  ///< the face whose shadow spans are in spans_
   std::vector<ShadowSpan> spans_;
   std::vector<double> ribs_;
 };
