@@ -185,20 +185,30 @@ struct Drawing::Impl {
     timings.eye_ms += watch.ms();
   }
 
-  /// I: the shadows, when they are first asked for.
+  /// I: the light's view, when it is first wanted; null without a light.
+  const ShadowCaster* caster() {
+    if (!caster_ && whole->light) {
+      Stopwatch watch;
+      caster_ = std::make_unique<ShadowCaster>(*whole, seen(), view);
+      timings.light_ms += watch.ms();
+    }
+    return caster_.get();
+  }
+  /// I: all shadows, for what cannot wait until a receiver is seen.
   const std::vector<Shadow>& shadows() {
     if (shadows_) return *shadows_;
+    const ShadowCaster* const casting = caster();
     Stopwatch watch;
-    shadows_ = cast_shadows(*whole, seen(), view);
+    shadows_ = casting != nullptr ? casting->all() : std::vector<Shadow>{};
     timings.light_ms += watch.ms();
     return *shadows_;
   }
   /// II, for lines y = const.
   const LineSource& lines() {
     if (lines_) return *lines_;
-    const std::vector<Shadow>& cast = shadows();
+    const ShadowCaster* const casting = caster();
     Stopwatch watch;
-    lines_ = std::make_unique<LineSource>(seen(), view, cast, density_tolerance());
+    lines_ = std::make_unique<LineSource>(seen(), view, casting, density_tolerance());
     timings.eye_ms += watch.ms();
     return *lines_;
   }
@@ -241,6 +251,7 @@ struct Drawing::Impl {
   Canonical cut;
   bool clipped = false;
   // Of the line resolver, each made when it is first wanted.
+  std::unique_ptr<ShadowCaster> caster_;
   std::optional<std::vector<Shadow>> shadows_;
   std::unique_ptr<LineSource> lines_;
   std::unique_ptr<EyeTable> table_;
@@ -367,9 +378,9 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
     timings.eye_ms += watch.ms();
     return scan(turned_picture, frame, frame.low.x, sink);
   }
-  const std::vector<Shadow>& cast = shadows();
+  const ShadowCaster* const casting = caster();
   Stopwatch table_watch;
-  const LineSource turned_lines(seen(), turned_view, cast, density_tolerance());
+  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance());
   timings.eye_ms += table_watch.ms();
   scan(turned_lines, frame, frame.low.x, sink);
 }

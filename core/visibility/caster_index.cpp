@@ -5,11 +5,11 @@
 
 namespace overstrike {
 
-RegionGrid::RegionGrid(const std::vector<LightRegion>& regions) : regions_(regions) {
+RegionGrid::RegionGrid(std::vector<LightRegion> regions) : regions_(std::move(regions)) {
   LightRegion all;
   for (const LightRegion& r : regions_)
     if (r.low.x <= r.high.x) all.add(r.low), all.add(r.high);
-  side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(regions_.size()))), 1, 1024);
+  side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(regions_.size()) / 2)), 1, 1024);
   origin_ = all.low;
   cell_ = glm::max((all.high - all.low) / static_cast<double>(side_), Vec2(1e-300));
   start_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
@@ -37,19 +37,31 @@ CasterIndex::CasterIndex(const FrontTable& light)
     if (!light.bodies[b].seen) continue;
     for (Index v = body.first_vertex; v < body.end_vertex; ++v) regions[b].add(light.points[v]);
   }
-  bodies_ = RegionGrid(regions);
+  bodies_ = RegionGrid(std::move(regions));
 }
 
 const CasterIndex::OfBody& CasterIndex::of_body(Index body) const {
   OfBody& of = of_body_[body];
-  std::call_once(of.once, [&] { fill(body, of); });
+  std::call_once(of.faces_once, [&] { find_faces(body, of); });
   return of;
 }
 
-void CasterIndex::fill(Index number, OfBody& of) const {
+void CasterIndex::find_faces(Index number, OfBody& of) const {
   const Canonical& c = light_.canonical;
   const CanonicalBody& body = c.bodies[number];
   std::vector<LightRegion> regions;
+  for (Index f = body.first_face; f < body.end_face; ++f) {
+    if (!light_.seen(f)) continue;
+    of.faces.push_back(f);
+    regions.emplace_back();
+    for (const Index v : c.loop(c.faces[f].first_loop)) regions.back().add(light_.points[v]);
+  }
+  of.grid = RegionGrid(std::move(regions));
+}
+
+void CasterIndex::find_planes(Index number, OfBody& of) const {
+  const Canonical& c = light_.canonical;
+  const CanonicalBody& body = c.bodies[number];
   of.plane_start.assign(body.end_vertex - body.first_vertex + 1, 0);
   const auto each = [&](const auto& visit) {
     for (Index f = body.first_face; f < body.end_face; ++f)
@@ -62,20 +74,15 @@ void CasterIndex::fill(Index number, OfBody& of) const {
   of.planes.resize(of.plane_start.back());
   std::vector<Index> at(of.plane_start.begin(), of.plane_start.end() - 1);
   each([&](Index v, Index f) { of.planes[at[v]++] = c.faces[f].plane; });
-  for (Index f = body.first_face; f < body.end_face; ++f) {
-    if (!light_.seen(f)) continue;
-    of.faces.push_back(f);
-    regions.emplace_back();
-    for (const Index v : c.loop(c.faces[f].first_loop)) regions.back().add(light_.points[v]);
-  }
-  of.grid = RegionGrid(regions);
 }
 
 bool CasterIndex::touches(Index body, Index vertex, Index plane) const {
-  const OfBody& of = of_body(body);
+  OfBody& of = of_body_[body];
+  std::call_once(of.planes_once, [&] { find_planes(body, of); });
   const Index v = vertex - light_.canonical.bodies[body].first_vertex;
-  return std::find(of.planes.begin() + of.plane_start[v], of.planes.begin() + of.plane_start[v + 1],
-                   plane) != of.planes.begin() + of.plane_start[v + 1];
+  const auto first = of.planes.begin() + of.plane_start[v];
+  const auto end = of.planes.begin() + of.plane_start[v + 1];
+  return std::find(first, end, plane) != end;
 }
 
 }  // namespace overstrike

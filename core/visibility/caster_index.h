@@ -21,7 +21,7 @@ struct LightRegion {
 class RegionGrid {
  public:
   RegionGrid() = default;
-  explicit RegionGrid(const std::vector<LightRegion>& regions);
+  explicit RegionGrid(std::vector<LightRegion> regions);
 
   /// What turns of looking have seen, so that a thing in several cells is visited once.
   struct Stamps {
@@ -73,13 +73,15 @@ class CasterIndex {
 
  private:
   struct OfBody {
-    std::once_flag once;
+    std::once_flag faces_once;
     std::vector<Index> faces;
     RegionGrid grid;
+    std::once_flag planes_once;
     std::vector<Index> plane_start, planes;  ///< of the body's vertices
   };
   const OfBody& of_body(Index body) const;
-  void fill(Index body, OfBody& of) const;
+  void find_faces(Index body, OfBody& of) const;
+  void find_planes(Index body, OfBody& of) const;
 
   const FrontTable& light_;
   RegionGrid bodies_;

@@ -21,28 +21,16 @@ struct Crossing {
 
 }  // namespace
 
-ReceiverShadows::ReceiverShadows(const FrontTable& table, const std::vector<Shadow>& shadows) {
-  if (shadows.empty()) return;
-  of_face_.assign(table.tones.size(), kNone);
-  for (const Shadow& shadow : shadows) {
-    if (!table.seen(shadow.receiver)) continue;
-    of_face_[shadow.receiver] = static_cast<Index>(receivers_.size());
-    Receiver receiver{shadow.covered, lines_.size(), 0, kNoBands};
-    for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view);
-    receiver.end = lines_.size();
-    const auto first = lines_.begin() + static_cast<std::ptrdiff_t>(receiver.first);
-    if (receiver.end - receiver.first > kFew) {
-      receiver.bands = bands_.size();
-      bands_.emplace_back(table.rows, receiver.end - receiver.first, [&](std::size_t i) {
-        return std::pair(first[static_cast<std::ptrdiff_t>(i)].line.y0,
-                         first[static_cast<std::ptrdiff_t>(i)].line.y1);
-      });
-    }
-    receivers_.push_back(receiver);
-  }
+ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
+    : covered_(shadow.covered) {
+  for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view);
+  if (lines_.size() > kFew)
+    bands_.emplace(table.rows, lines_.size(), [&](std::size_t i) {
+      return std::pair(lines_[i].line.y0, lines_[i].line.y1);
+    });
 }
 
-void ReceiverShadows::add_line(const ShadowEdge& edge, const View& view) {
+void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view) {
   const GridPoint a = to_grid(view, edge.a), b = to_grid(view, edge.b);
   if (a.at.y == b.at.y) return;
   const bool down = a.at.y < b.at.y;
@@ -54,8 +42,7 @@ void ReceiverShadows::add_line(const ShadowEdge& edge, const View& view) {
   lines_.push_back({line, static_cast<float>(error), down ? edge.winding : -edge.winding});
 }
 
-void ReceiverShadows::on_level(Index face, double y, std::vector<ShadowSpan>& spans) const {
-  const Receiver& receiver = receivers_[of_face_[face]];
+void ReceiverShadow::on_level(double y, std::vector<ShadowSpan>& spans) const {
   constexpr std::size_t kMost = 64;
   Crossing few[kMost];
   std::vector<Crossing> many;
@@ -70,16 +57,15 @@ void ReceiverShadows::on_level(Index face, double y, std::vector<ShadowSpan>& sp
     }
     ++count;
   };
-  if (receiver.bands == kNoBands) {
-    for (std::size_t i = receiver.first; i < receiver.end; ++i) meet(lines_[i]);
+  if (bands_) {
+    for (const Index i : (*bands_)[bands_->band(y)]) meet(lines_[i]);
   } else {
-    const LevelBands& bands = bands_[receiver.bands];
-    for (const Index i : bands[bands.band(y)]) meet(lines_[receiver.first + i]);
+    for (const ShadowLine& line : lines_) meet(line);
   }
   Crossing* const crossings = count > kMost ? many.data() : few;
   std::sort(crossings, crossings + count,
             [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
-  int winding = receiver.covered;
+  int winding = covered_;
   ShadowSpan span{-kInfinity, kInfinity, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     const int before = winding;
@@ -92,6 +78,34 @@ void ReceiverShadows::on_level(Index face, double y, std::vector<ShadowSpan>& sp
   }
   span.x1 = kInfinity, span.slack1 = 0;
   if (winding != 0) spans.push_back(span);
+}
+
+const ReceiverShadow ReceiverShadows::kNone;
+const ReceiverShadow ReceiverShadows::kAll;
+
+ReceiverShadows::ReceiverShadows(const FrontTable& table, const ShadowCaster* caster)
+    : table_(table), caster_(caster), of_face_(caster != nullptr ? table.tones.size() : 0) {}
+
+ReceiverShadows::~ReceiverShadows() {
+  for (const auto& shadow : of_face_) {
+    const ReceiverShadow* const made = shadow.load();
+    if (made != &kNone && made != &kAll) delete made;
+  }
+}
+
+/// Two threads may cast the same one; the first to be done is kept.
+const ReceiverShadow* ReceiverShadows::cast(Index face, ShadowCaster::Scratch& scratch) const {
+  const Shadow shadow = caster_->on(face, scratch);
+  const ReceiverShadow* made = &kNone;
+  if (!shadow.edges.empty()) {
+    made = new ReceiverShadow(table_, shadow);
+  } else if (shadow.covered) {
+    made = &kAll;
+  }
+  const ReceiverShadow* found = nullptr;
+  if (of_face_[face].compare_exchange_strong(found, made, std::memory_order_acq_rel)) return made;
+  if (made != &kNone && made != &kAll) delete made;
+  return found;
 }
 
 }  // namespace overstrike

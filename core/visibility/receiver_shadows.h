@@ -1,5 +1,7 @@
 #pragma once
 // Shadow borders on their receivers as the eye's levels meet them.
+#include <atomic>
+#include <optional>
 #include <vector>
 
 #include "core/visibility/front_table.h"
@@ -22,28 +24,47 @@ struct ShadowLine {
   int winding;
 };
 
-class ReceiverShadows {
+/// The shadow on one receiver.
+class ReceiverShadow {
  public:
-  ReceiverShadows(const FrontTable& table, const std::vector<Shadow>& shadows);
-
-  bool any(Index face) const { return !of_face_.empty() && of_face_[face] != kNone; }
-  /// Appends where the level is in shadow on the face's plane, from left to right; everywhere from
-  /// -infinity to infinity when it is covered. `scratch` is for the crossings.
-  void on_level(Index face, double y, std::vector<ShadowSpan>& spans) const;
+  ReceiverShadow() = default;
+  ReceiverShadow(const FrontTable& table, const Shadow& shadow);
+  /// Appends where the level is in shadow on the receiver's plane, from left to right.
+  void on_level(double y, std::vector<ShadowSpan>& spans) const;
 
  private:
-  struct Receiver {
-    bool covered = false;
-    std::size_t first = 0, end = 0;  ///< in lines_, by y0
-    std::size_t bands = kNoBands;    ///< in bands_, of receivers with many lines
-  };
-  static constexpr std::size_t kNoBands = ~std::size_t{0};
   void add_line(const ShadowEdge& edge, const View& view);
 
-  std::vector<Index> of_face_;  ///< in receivers_; empty when there are none
-  std::vector<Receiver> receivers_;
+  bool covered_ = false;
   std::vector<ShadowLine> lines_;
-  std::vector<LevelBands> bands_;
+  std::optional<LevelBands> bands_;  ///< where there are many lines
+};
+
+/// The shadows of a picture, each cast when its receiver is first seen. Any number of threads.
+class ReceiverShadows {
+ public:
+  /// Both must outlive this; no shadows when there is no caster.
+  ReceiverShadows(const FrontTable& table, const ShadowCaster* caster);
+  ~ReceiverShadows();
+
+  bool none() const { return of_face_.empty(); }
+  enum class Extent { none, all, part };
+  /// How much of the face is in shadow; `part` is set to its shadow when that is but a part.
+  Extent on(Index face, ShadowCaster::Scratch& scratch, const ReceiverShadow*& part) const {
+    if (of_face_.empty()) return Extent::none;
+    const ReceiverShadow* shadow = of_face_[face].load(std::memory_order_acquire);
+    if (shadow == nullptr) shadow = cast(face, scratch);
+    part = shadow;
+    return shadow == &kNone ? Extent::none : shadow == &kAll ? Extent::all : Extent::part;
+  }
+
+ private:
+  const ReceiverShadow* cast(Index face, ShadowCaster::Scratch& scratch) const;
+
+  static const ReceiverShadow kNone, kAll;
+  const FrontTable& table_;
+  const ShadowCaster* caster_;
+  mutable std::vector<std::atomic<const ReceiverShadow*>> of_face_;
 };
 
 }  // namespace overstrike

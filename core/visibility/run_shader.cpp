@@ -11,24 +11,29 @@ double density_tolerance_of(double tolerance) { return std::min(tolerance / 100,
 
 void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
                       std::vector<DensityRun>& runs) {
-  spans_of_ = kNone;
+  if (shadows_.none()) {
+    for (const SpanPiece& piece : pieces) part(y, piece, false, runs);
+    return;
+  }
   for (const SpanPiece& piece : pieces) {
-    if (shadows_.any(piece.face)) {
-      shaded(y, piece, runs);
+    const ReceiverShadow* shadow = nullptr;
+    auto extent = ReceiverShadows::Extent::none;
+    if (table_.tones[piece.face].kind == Kind::lit)
+      extent = shadows_.on(piece.face, scratch_, shadow);
+    if (extent == ReceiverShadows::Extent::part) {
+      shaded(y, piece, *shadow, runs);
     } else {
-      part(y, piece, false, runs);
+      part(y, piece, extent == ReceiverShadows::Extent::all, runs);
     }
   }
 }
 
 /// Splits a piece where shadow begins and ends on it. Parts no wider than their ends are uncertain
 /// are left to their neighbours.
-void RunShader::shaded(double y, const SpanPiece& piece, std::vector<DensityRun>& runs) {
-  if (spans_of_ != piece.face) {
-    spans_.clear();
-    shadows_.on_level(piece.face, y, spans_);
-    spans_of_ = piece.face;
-  }
+void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& shadow,
+                       std::vector<DensityRun>& runs) {
+  spans_.clear();
+  shadow.on_level(y, spans_);
   SpanPiece left = piece;
   bool shadowed = false;
   const auto change = [&](double x, float slack, bool to) {

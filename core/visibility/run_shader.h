@@ -32,7 +32,8 @@ class RunShader {
       return (q.x * x + q.y * y + q.z) / (w.x * x + w.y * y + w.z);
     }
   };
-  void shaded(double y, const SpanPiece& piece, std::vector<DensityRun>& runs);
+  void shaded(double y, const SpanPiece& piece, const ReceiverShadow& shadow,
+              std::vector<DensityRun>& runs);
   void part(double y, const SpanPiece& piece, bool shadowed, std::vector<DensityRun>& runs);
   void smooth(double y, const SpanPiece& piece, std::vector<DensityRun>& runs);
   void bent(DensityRun run, const Gradient& gradient, double y, int depth,
@@ -43,6 +44,7 @@ class RunShader {
   const ReceiverShadows& shadows_;
   double density_tolerance_;
   Index spans_of_ = kNone;  ///< the face whose shadow spans are in spans_
+  ShadowCaster::Scratch scratch_;
   std::vector<ShadowSpan> spans_;
   std::vector<double> ribs_;
 };

@@ -24,9 +24,9 @@ class LineScanner : public RunScanner {
 }  // namespace
 
 LineSource::LineSource(const Canonical& canonical, const View& view,
-                       const std::vector<Shadow>& shadows, double density_tolerance)
+                       const ShadowCaster* caster, double density_tolerance)
     : table_(canonical, view),
-      shadows_(table_.fronts, shadows),
+      shadows_(table_.fronts, caster),
       density_tolerance_(density_tolerance) {}
 
 std::unique_ptr<RunScanner> LineSource::scanner() const {

@@ -12,9 +12,9 @@ namespace overstrike {
 
 class LineSource : public RunSource {
  public:
-  /// `canonical` must outlive this. `density_tolerance`: a run whose density bends farther than
-  /// this from a straight line is split.
-  LineSource(const Canonical& canonical, const View& view, const std::vector<Shadow>& shadows,
+  /// `canonical` and `caster` (null: no light) must outlive this. `density_tolerance`: a run whose
+  /// density bends farther than this from a straight line is split.
+  LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
              double density_tolerance);
   std::unique_ptr<RunScanner> scanner() const override;
 
