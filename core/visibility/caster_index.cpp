@@ -5,13 +5,15 @@
 
 namespace overstrike {
 
-RegionGrid::RegionGrid(std::vector<LightRegion> regions) : regions_(std::move(regions)) {
+RegionGrid::RegionGrid(std::vector<LightRegion> regions, double cells_per_thing)
+    : regions_(std::move(regions)) {
   LightRegion all;
   for (const LightRegion& r : regions_)
     if (r.low.x <= r.high.x) all.add(r.low), all.add(r.high);
-  side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(regions_.size()) / 2)), 1, 1024);
+  side_ = std::clamp(
+      static_cast<int>(std::sqrt(static_cast<double>(regions_.size()) * cells_per_thing)), 1, 1024);
   origin_ = all.low;
-  cell_ = glm::max((all.high - all.low) / static_cast<double>(side_), Vec2(1e-300));
+  scale_ = Vec2(side_) / glm::max(all.high - all.low, Vec2(1e-300));
   start_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
   const auto each = [&](const auto& visit) {
     for (Index i = 0; i < regions_.size(); ++i) {
@@ -37,7 +39,7 @@ CasterIndex::CasterIndex(const FrontTable& light)
     if (!light.bodies[b].seen) continue;
     for (Index v = body.first_vertex; v < body.end_vertex; ++v) regions[b].add(light.points[v]);
   }
-  bodies_ = RegionGrid(std::move(regions));
+  bodies_ = RegionGrid(std::move(regions), 8);
 }
 
 const CasterIndex::OfBody& CasterIndex::of_body(Index body) const {
@@ -56,7 +58,7 @@ void CasterIndex::find_faces(Index number, OfBody& of) const {
     regions.emplace_back();
     for (const Index v : c.loop(c.faces[f].first_loop)) regions.back().add(light_.points[v]);
   }
-  of.grid = RegionGrid(std::move(regions));
+  of.grid = RegionGrid(std::move(regions), 0.5);
 }
 
 void CasterIndex::find_planes(Index number, OfBody& of) const {

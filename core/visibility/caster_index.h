@@ -21,7 +21,8 @@ struct LightRegion {
 class RegionGrid {
  public:
   RegionGrid() = default;
-  explicit RegionGrid(std::vector<LightRegion> regions);
+  /// About `cells_per_thing` cells for each.
+  RegionGrid(std::vector<LightRegion> regions, double cells_per_thing);
 
   /// What turns of looking have seen, so that a thing in several cells is visited once.
   struct Stamps {
@@ -45,16 +46,16 @@ class RegionGrid {
   }
 
  private:
-  int place(double p, double origin, double cell) const {
-    const double at = (p - origin) / cell;
+  int place(double p, double origin, double cells_per_unit) const {
+    const double at = (p - origin) * cells_per_unit;
     return at > 0 ? static_cast<int>(at < side_ - 1 ? at : side_ - 1) : 0;
   }
-  int column_of(double x) const { return place(x, origin_.x, cell_.x); }
-  int row_of(double y) const { return place(y, origin_.y, cell_.y); }
+  int column_of(double x) const { return place(x, origin_.x, scale_.x); }
+  int row_of(double y) const { return place(y, origin_.y, scale_.y); }
 
   std::vector<LightRegion> regions_;
   std::vector<Index> start_, items_;
-  Vec2 origin_{0.0}, cell_{1.0};
+  Vec2 origin_{0.0}, scale_{1.0};
   int side_ = 1;
 };
 

@@ -129,11 +129,10 @@ void Builder::look_at_faces(Index number) {
     if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
                                  table_.points, front.reach, front.far_z, front.near_z))
       continue;
-    FaceTone& tone = table_.tones[i];
-    tone.behind = behind;
-    tone.body = number;
-    table_.faces_seen[i] = 1;
+    table_.sides[i] = behind ? -1 : 1;
     if (table_.use == FrontUse::picture) {
+      FaceTone& tone = table_.tones[i];
+      tone.body = number;
       const FaceShade shade = shade_of(c_, f, behind);
       tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
       tone.density = shade.density;
@@ -163,7 +162,7 @@ void Builder::add_side(const WingedEdge& edge, bool left_seen) {
   const Side side{corner_of(face, from), face};
   const bool down = a.y < b.y;
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
-  (down != table_.tones[face].behind ? left_ : right_)
+  (down != table_.from_behind(face) ? left_ : right_)
       .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
 }
 
@@ -259,7 +258,7 @@ void Builder::add_ground() {
   tone.body = kNone;
   tone.kind = Kind::lit;
   const bool is_seen = polygon.size() > 2;
-  table_.faces_seen[table_.ground()] = is_seen;
+  table_.sides[table_.ground()] = is_seen;
   FrontBody& ground = table_.bodies[number];
   ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
   ground.near_z = kInfinity, ground.far_z = -kInfinity;
@@ -288,8 +287,8 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       columns(view.grid.columns),
       rows(view.grid.rows),
       points(canonical.vertices.size()),
-      faces_seen(canonical.faces.size() + 1),
-      tones(canonical.faces.size() + 1),
+      sides(canonical.faces.size() + 1),
+      tones(use == FrontUse::picture ? canonical.faces.size() + 1 : 0),
       bodies(canonical.bodies.size() + 1),
       further_planes(ground_planes(canonical, view)),
       depths(canonical.planes, further_planes, view) {

@@ -55,7 +55,6 @@ struct FaceTone {
   double density;  ///< of a smooth face: the mean of its corners
   Index body;
   Kind kind;
-  bool behind;  ///< seen from behind: a face of an open body
   bool smooth;
 };
 
@@ -97,16 +96,18 @@ struct FrontTable {
   View view;
   FrontUse use;
   double columns, rows;
-  std::vector<Vec2> points;      ///< of the vertices
-  std::vector<char> faces_seen;  ///< per face: the eye sees this side of it, and it has a depth
-  std::vector<FaceTone> tones;   ///< of the faces that are seen
+  std::vector<Vec2> points;        ///< of the vertices
+  std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
+                                   ///< (of open bodies), 0 not at all
+  std::vector<FaceTone> tones;     ///< of the faces that are seen, for a picture
   std::vector<FrontBody> bodies;
   std::vector<OutlineSide> outlines;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
   std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
   DepthMap depths;
 
-  bool seen(Index face) const { return face != kNone && faces_seen[face] != 0; }
+  bool seen(Index face) const { return face != kNone && sides[face] != 0; }
+  bool from_behind(Index face) const { return sides[face] < 0; }
   /// The ground is the face after the canonical ones, and the body after them.
   Index ground() const { return static_cast<Index>(canonical.faces.size()); }
   Index ground_body() const { return static_cast<Index>(canonical.bodies.size()); }

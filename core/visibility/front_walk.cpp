@@ -99,7 +99,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   const Index* const corners = c.corners.data();
   const Twin* const twins = c.twins.data() + body.first_twin - body.first_corner;
   Side side = outline.left->side;
-  const bool behind = table_.tones[side.face].behind;
+  const bool behind = table_.from_behind(side.face);
   const auto first_of = [&](Index face) {
     return body.first_corner + 3 * (face - body.first_face);
   };

@@ -22,14 +22,14 @@ void LightFrame::convex_outline(const Canonical& c, const CanonicalFace& face,
   const std::size_t n = outline.size();
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 a = outline[i] - outline[0], b = outline[(i + 1) % n] - outline[0];
+    const Vec2 a = outline[i] - outline[0], b = outline[i + 1 < n ? i + 1 : 0] - outline[0];
     area += a.x * b.y - a.y * b.x;
   }
   if (area < 0) std::reverse(outline.begin(), outline.end());
   double turns = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 a = outline[(i + 1) % n] - outline[i],
-               b = outline[(i + 2) % n] - outline[(i + 1) % n];
+    const Vec2 a = outline[i + 1 < n ? i + 1 : 0] - outline[i],
+               b = outline[i + 2 < n ? i + 2 : i + 2 - n] - outline[i + 1 < n ? i + 1 : 0];
     if (a.x * b.y - a.y * b.x <= 0) return outline.clear();
     turns += (a.y < 0) != (b.y < 0);
   }

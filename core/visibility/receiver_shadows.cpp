@@ -25,9 +25,8 @@ ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
     : covered_(shadow.covered) {
   for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view);
   if (lines_.size() > kFew)
-    bands_.emplace(table.rows, lines_.size(), [&](std::size_t i) {
-      return std::pair(lines_[i].line.y0, lines_[i].line.y1);
-    });
+    bands_.emplace(table.rows, lines_.size(),
+                   [&](std::size_t i) { return std::pair(lines_[i].line.y0, lines_[i].line.y1); });
 }
 
 void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view) {

@@ -83,13 +83,14 @@ bool RunShader::gradient_of(Index face, Index corner, Gradient& out) const {
   const CanonicalFace& f = c.faces[face];
   const FaceTone& tone = table_.tones[face];
   const Index corners[3] = {c.first_corner(f.first_loop), corner, corner + 1};
+  const bool behind = table_.from_behind(face);
   Vec3 density, over_w, x, y;
   for (int i = 0; i < 3; ++i) {
     const Vec3& p = c.vertices[c.corners[corners[i]]];
     const Vec3& normal = c.corner_normals[corners[i]];
     x[i] = table_.points[c.corners[corners[i]]].x, y[i] = table_.points[c.corners[corners[i]]].y;
     over_w[i] = 1 / (table_.view.matrix * Vec4(p, 1.0)).z;
-    density[i] = lit_density(c, c.bodies[tone.body], tone.behind ? -normal : normal) * over_w[i];
+    density[i] = lit_density(c, c.bodies[tone.body], behind ? -normal : normal) * over_w[i];
   }
   const Mat3 matrix(x, y, Vec3(1.0));
   if (glm::determinant(matrix) == 0) return false;
@@ -105,6 +106,7 @@ void RunShader::smooth(double y, const SpanPiece& piece, std::vector<DensityRun>
   const Index first = c.first_corner(f.first_loop), end = c.loop_ends[f.first_loop];
   const Vec2& hub = table_.points[c.corners[first]];
   const FaceTone& tone = table_.tones[piece.face];
+  const bool behind = table_.from_behind(piece.face);
   double x = piece.x0;
   const auto triangle_at = [&](double at) {
     // The last triangle whose rib the point has passed, turning round the hub.
@@ -113,7 +115,7 @@ void RunShader::smooth(double y, const SpanPiece& piece, std::vector<DensityRun>
     for (Index i = first + 2; i + 1 < end; ++i) {
       const Vec2 rib = table_.points[c.corners[i]] - hub;
       const double side = rib.x * p.y - rib.y * p.x;
-      if (tone.behind ? side > 0 : side < 0) corner = i;
+      if (behind ? side > 0 : side < 0) corner = i;
     }
     return corner;
   };

@@ -23,8 +23,8 @@ class LineScanner : public RunScanner {
 
 }  // namespace
 
-LineSource::LineSource(const Canonical& canonical, const View& view,
-                       const ShadowCaster* caster, double density_tolerance)
+LineSource::LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
+                       double density_tolerance)
     : table_(canonical, view),
       shadows_(table_.fronts, caster),
       density_tolerance_(density_tolerance) {}

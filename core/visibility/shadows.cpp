@@ -109,6 +109,7 @@ struct ShadowCaster::Scratch::Impl {
   RegionGrid::Stamps bodies, faces;
   std::vector<FlatShadowEdge> edges;
   std::vector<Vec2> outline;  ///< of the receiver, counter-clockwise; only when strictly convex
+  bool outline_known = false;
   std::vector<Vec3> loop, loop_cut;
   std::vector<Vec2> polygon, polygon_cut;
   std::vector<double> heights;
@@ -142,6 +143,7 @@ struct ShadowCaster::Impl {
   void leave_faces(Index body, const Receiver& r, Work& work) const;
   void leave_face(Index face, const Receiver& r, Work& work) const;
   void leave(const Receiver& r, Work& work) const;
+  const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
   double height_over(const Receiver& r, Index body, Index vertex) const;
   Vec3 lifted(const Receiver& r, const Vec2& p) const;
   bool walked(const FrontBody& body) const { return !body.loose && !body.broken; }
@@ -198,7 +200,7 @@ double ShadowCaster::Impl::height_over(const Receiver& r, Index body, Index vert
   const Vec3& p = whole.vertices[vertex];
   const double height = glm::dot(r.plane.normal, p) - r.plane.offset;
   // What belongs to the plane is no farther from it than welding lets it be.
-  constexpr double kNear = 0x1p-10;
+  constexpr double kNear = 0x1p-16;
   const double size = glm::dot(glm::abs(r.plane.normal), glm::abs(p)) + std::fabs(r.plane.offset);
   const bool lit_above = r.along_light > 0;
   if (std::fabs(height) > kNear * size) return lit_above ? height : -height;
@@ -307,7 +309,7 @@ void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) 
 void ShadowCaster::Impl::leave_face(Index g, const Receiver& r, Work& work) const {
   const CanonicalFace& f = whole.faces[g];
   if (f.plane == r.plane_id) return;
-  const bool turn = light.tones[g].behind;
+  const bool turn = light.from_behind(g);
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     work.loop.clear(), work.heights.clear();
     bool above = false, below = false;
@@ -324,8 +326,16 @@ void ShadowCaster::Impl::leave_face(Index g, const Receiver& r, Work& work) cons
     work.polygon.clear();
     for (const Vec3& p : work.loop) work.polygon.emplace_back(frame(p));
     if (turn) std::reverse(work.polygon.begin(), work.polygon.end());
-    if (!separate(work.outline, work.polygon)) leave(r, work);
+    if (!separate(outline_of(r, work), work.polygon)) leave(r, work);
   }
+}
+
+const std::vector<Vec2>& ShadowCaster::Impl::outline_of(const Receiver& r, Work& work) const {
+  if (work.outline_known || r.body == kNone) return work.outline;
+  const CanonicalFace& f = seen.faces[r.face];
+  if (f.end_loop - f.first_loop == 1) frame.convex_outline(seen, f, work.outline);
+  work.outline_known = true;
+  return work.outline;
 }
 
 Vec3 ShadowCaster::Impl::lifted(const Receiver& r, const Vec2& p) const {
@@ -373,8 +383,7 @@ void ShadowCaster::Impl::leave(const Receiver& r, Work& work) const {
 Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
   Shadow shadow{r.face, false, {}};
   work.edges.clear(), work.outline.clear();
-  if (r.body != kNone && seen.faces[r.face].end_loop - seen.faces[r.face].first_loop == 1)
-    frame.convex_outline(seen, seen.faces[r.face], work.outline);
+  work.outline_known = false;
   const LightRegion region{Vec2(r.region.low.x, -r.region.high.y),
                            Vec2(r.region.high.x, -r.region.low.y)};
   bool covered = false;
@@ -392,12 +401,13 @@ Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
   if (work.edges.empty()) return shadow;
   // When no boundary passes over the inside of a convex receiver it is in shadow all over or not at
   // all.
+  const std::vector<Vec2>& outline = outline_of(r, work);
   const bool uniform =
-      !work.outline.empty() && std::all_of(work.edges.begin(), work.edges.end(),
-                                           [&](const auto& e) { return misses(work.outline, e); });
+      !outline.empty() && std::all_of(work.edges.begin(), work.edges.end(),
+                                      [&](const auto& e) { return misses(outline, e); });
   if (uniform) {
     Vec2 middle(0);
-    for (const Vec2& p : work.outline) middle += p / static_cast<double>(work.outline.size());
+    for (const Vec2& p : outline) middle += p / static_cast<double>(outline.size());
     shadow.covered = winding_at(middle, work.edges) != 0;
     return shadow;
   }
