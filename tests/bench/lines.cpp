@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
 #include <memory>
 
 namespace overstrike::bench {
@@ -9,21 +10,34 @@ namespace {
 
 constexpr const char* kCpu = "cpu_ms";
 
-/// The benchmark's own loop only hands over what was measured before: its CPU time is not the
-/// work's, which goes into the column instead.
-class Table : public benchmark::ConsoleReporter {
+/// One line for each benchmark: its wall time, the CPU time that was measured (that of the
+/// benchmark's own loop, which only hands it over, means nothing) and what stands beside them.
+class Table : public benchmark::BenchmarkReporter {
  public:
-  Table() : ConsoleReporter(OO_None) {}
+  bool ReportContext(const Context& context) override {
+    PrintBasicContext(&GetErrorStream(), context);
+    char line[80];
+    std::snprintf(line, sizeof line, "%-34s %9s %9s", "ms", "wall", "CPU");
+    GetOutputStream() << line << std::endl;
+    return true;
+  }
   void ReportRuns(const std::vector<Run>& runs) override {
-    std::vector<Run> mended = runs;
-    for (Run& run : mended) {
-      run.run_name.iterations.clear(), run.run_name.time_type.clear();
-      const auto cpu = run.counters.find(kCpu);
-      if (cpu == run.counters.end()) continue;
-      run.cpu_accumulated_time = cpu->second.value * 1e-3 * static_cast<double>(run.iterations);
-      run.counters.erase(cpu);
+    for (const Run& run : runs) print(run);
+  }
+
+ private:
+  void print(const Run& run) {
+    char text[120];
+    const auto cpu = run.counters.find(kCpu);
+    std::snprintf(text, sizeof text, "%-34s %9.3f %9.3f", run.run_name.function_name.c_str(),
+                  run.GetAdjustedRealTime(), cpu == run.counters.end() ? 0 : cpu->second.value);
+    GetOutputStream() << text;
+    for (const auto& [name, counter] : run.counters) {
+      if (name == kCpu) continue;
+      std::snprintf(text, sizeof text, "  %s=%.4g", name.c_str(), counter.value);
+      GetOutputStream() << text;
     }
-    ConsoleReporter::ReportRuns(mended);
+    GetOutputStream() << std::endl;
   }
 };
 
