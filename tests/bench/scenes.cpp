@@ -66,15 +66,6 @@ Icosphere subdivided(const Icosphere& coarse) {
   return fine;
 }
 
-ShapePtr icosphere(int level) {
-  Icosphere s = icosahedron();
-  for (int i = 0; i < level; ++i) s = subdivided(s);
-  Mesh mesh;
-  mesh.polyhedron.vertices = s.vertices;
-  for (const auto& [a, b, c] : s.triangles) mesh.polyhedron.add_face({a, b, c});
-  return std::make_shared<const Shape>(std::move(mesh));
-}
-
 Affine placed(double scale, const Vec3& offset) { return {Mat3(scale), offset}; }
 
 void add(Scene& scene, const ShapePtr& shape, const Affine& placement) {
@@ -114,6 +105,15 @@ ShapePtr prism(int sides, double radius, double turn, double z0, double z1) {
 }
 
 }  // namespace
+
+ShapePtr icosphere(int level) {
+  Icosphere s = icosahedron();
+  for (int i = 0; i < level; ++i) s = subdivided(s);
+  Mesh mesh;
+  mesh.polyhedron.vertices = s.vertices;
+  for (const auto& [a, b, c] : s.triangles) mesh.polyhedron.add_face({a, b, c});
+  return std::make_shared<const Shape>(std::move(mesh));
+}
 
 Scene scene_c(int level) {
   Scene scene;

@@ -29,6 +29,9 @@ enum class Boxes { apart, anywhere };
 /// from the default direction in a parallel view 3.6 wide. Under a point lie about ten boxes.
 Scene many_boxes(Boxes);
 
+/// The unit sphere as 20 * 4^level triangles: the icosahedron (0, +-1, +-phi), halved.
+ShapePtr icosphere(int level);
+
 /// A scene on a square grid, canonical.
 struct Prepared {
   std::shared_ptr<const Canonical> canonical;
