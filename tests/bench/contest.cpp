@@ -2,7 +2,6 @@
 
 #include "core/drawing.h"
 #include "tests/bench/embree_peer.h"
-#include "tests/bench/judge.h"
 #include "tests/bench/run_ends.h"
 #include "tests/bench/z_buffer.h"
 
@@ -11,33 +10,6 @@ namespace {
 
 /// So many cells are judged, in whole rows.
 constexpr int kJudgedCells = 1 << 21;
-
-template <class Peer>
-Shown shown_by_peer(Peer& peer, const Triangles& triangles, int row) {
-  Shown shown;
-  for (const std::uint32_t t : peer.row(row))
-    shown.push_back(t == kNothing ? kNone : triangles.faces[t]);
-  return shown;
-}
-
-struct Errors {
-  double embree, z_buffer, ours, run_end;
-};
-
-Errors errors_of(const Prepared& prepared, const Triangles& triangles, EmbreePeer& embree,
-                 ZBuffer& z_buffer) {
-  const int columns = static_cast<int>(prepared.view.grid.columns);
-  const std::vector<int> rows = sampled_rows(prepared.view.grid, kJudgedCells / columns);
-  const auto runs = runs_of_rows(prepared, rows);
-  std::vector<std::vector<Shown>> methods(3);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    methods[0].push_back(shown_by_peer(embree, triangles, rows[i]));
-    methods[1].push_back(shown_by_peer(z_buffer, triangles, rows[i]));
-    methods[2].push_back(shown_by(runs[i], columns));
-  }
-  const std::vector<double> wrong = wrong_ppm(prepared, rows, methods);
-  return {wrong[0], wrong[1], wrong[2], worst_run_end(prepared, rows, runs)};
-}
 
 }  // namespace
 
@@ -50,6 +22,21 @@ std::size_t draw_runs(const Prepared& prepared, int threads) {
   return runs;
 }
 
+Errors judge(const Prepared& prepared, const std::vector<ShownRow>& peers, int threads) {
+  const int columns = static_cast<int>(prepared.view.grid.columns);
+  const std::vector<int> rows = sampled_rows(prepared.view.grid, kJudgedCells / columns);
+  const auto runs = runs_of_rows(prepared, rows, threads);
+  std::vector<std::vector<Shown>> methods(peers.size() + 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t p = 0; p < peers.size(); ++p) methods[p].push_back(peers[p](rows[i]));
+    methods.back().push_back(shown_by(runs[i], columns));
+  }
+  std::vector<double> wrong = wrong_ppm(prepared, rows, methods);
+  const double ours = wrong.back();
+  wrong.pop_back();
+  return {wrong, ours, worst_run_end(prepared, rows, runs)};
+}
+
 std::vector<Line> contest(const Scene& scene, int size) {
   const Prepared prepared = prepare(scene, square_grid(size));
   const Triangles triangles = triangles_of(*prepared.canonical);
@@ -60,19 +47,20 @@ std::vector<Line> contest(const Scene& scene, int size) {
       interleaved({[&] { embree.build(); }, [&] { embree.trace(); }, [&] { z_buffer.draw(); },
                    [&] { runs = draw_runs(prepared, 1); }},
                   kBudgetMs);
-  const Errors errors = errors_of(prepared, triangles, embree, z_buffer);
+  const Errors errors =
+      judge(prepared, {shown_by(embree, triangles), shown_by(z_buffer, triangles)});
   const Times& ours = times[3];
   const Times traced{sum(times[0].cpu, times[1].cpu), sum(times[0].wall, times[1].wall)};
   const Line embree_line{traced,
-                         {{"build_ms", median(times[0].cpu)}, {"wrong_ppm", errors.embree}}};
-  const Line z_line{times[2], {{"wrong_ppm", errors.z_buffer}}};
+                         {{"build_ms", median(times[0].cpu)}, {"wrong_ppm", errors.peers[0]}}};
+  const Line z_line{times[2], {{"wrong_ppm", errors.peers[1]}}};
   const Line our_line{ours,
                       {{"x_embree", ratio(traced.cpu, ours.cpu)},
                        {"x_zbuffer", ratio(times[2].cpu, ours.cpu)},
                        {"wrong_ppm", errors.ours},
                        {"run_end", errors.run_end},
                        {"runs", static_cast<double>(runs)},
-                       {"canonicalize_ms", prepared.canonicalize_ms}}};
+                       {"from_scene_ms", prepared.canonicalize_ms + median(ours.cpu)}}};
   return {embree_line, z_line, our_line};
 }
 

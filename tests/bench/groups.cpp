@@ -3,7 +3,6 @@
 #include "core/drawing.h"
 #include "scenes/readers/read.h"
 #include "tests/bench/contest.h"
-#include "tests/bench/judge.h"
 #include "tests/bench/z_buffer.h"
 
 namespace overstrike::bench {
@@ -15,6 +14,12 @@ constexpr int kJudgedPoints = 1000;
 double wrong_ppm(const Prepared& prepared) {
   const std::vector<int> rows = sampled_rows(prepared.view.grid, kJudgedRows);
   return wrong_ppm(prepared, rows, runs_of_rows(prepared, rows), kJudgedPoints);
+}
+
+void add_errors(const Errors& errors, Line& z_buffer, Line& ours) {
+  z_buffer.counters["wrong_ppm"] = errors.peers[0];
+  ours.counters["wrong_ppm"] = errors.ours;
+  ours.counters["run_end"] = errors.run_end;
 }
 
 }  // namespace
@@ -51,9 +56,11 @@ std::vector<Line> growth_lines(const Scene& scene, const std::vector<int>& sizes
   std::vector<Line> lines;
   for (std::size_t i = 0; i < times.size(); ++i)
     lines.push_back({times[i], {{"x_first", ratio(times[i].cpu, times[i % 2].cpu)}}});
-  for (std::size_t i = 1; i < times.size(); i += 2) {
-    lines[i].counters["x_zbuffer"] = ratio(times[i - 1].cpu, times[i].cpu);
-    lines[i].counters["wrong_ppm"] = wrong_ppm(prepared[i / 2]);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    Line &theirs = lines[2 * i], &ours = lines[2 * i + 1];
+    ours.counters["x_zbuffer"] = ratio(theirs.times.cpu, ours.times.cpu);
+    const Errors errors = judge(prepared[i], {shown_by(buffers[i], triangles)});
+    add_errors(errors, theirs, ours);
   }
   return lines;
 }
@@ -70,7 +77,10 @@ std::vector<Line> thread_lines(const Scene& scene, int size) {
   for (const Times& t : times) lines.push_back({t, {}});
   for (const std::size_t i : {1, 3})
     lines[i].counters["x_one"] = ratio(times[i - 1].wall, times[i].wall);
+  lines[2].counters["x_zbuffer"] = ratio(times[0].wall, times[2].wall);
   lines[3].counters["x_zbuffer"] = ratio(times[1].wall, times[3].wall);
+  add_errors(judge(prepared, {shown_by(one, triangles)}, 1), lines[0], lines[2]);
+  add_errors(judge(prepared, {shown_by(two, triangles)}, 2), lines[1], lines[3]);
   return lines;
 }
 
@@ -82,7 +92,7 @@ std::vector<Line> nn74_lines(const std::string& scene, double seconds_1974) {
   return {{times[0],
            {{"x_1974", ratio(then, times[0].cpu)},
             {"wrong_ppm", wrong_ppm(prepared)},
-            {"canonicalize_ms", prepared.canonicalize_ms}}}};
+            {"from_scene_ms", prepared.canonicalize_ms + median(times[0].cpu)}}}};
 }
 
 }  // namespace overstrike::bench

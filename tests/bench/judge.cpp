@@ -71,16 +71,23 @@ struct Tally {
   Tally(const Prepared& prepared, const std::vector<int>& asked_rows, const Methods& all)
       : rows(asked_rows),
         methods(all),
-        oracle(*prepared.canonical, prepared.view),
+        canonical(*prepared.canonical),
+        oracle(canonical, prepared.view),
         wrong(all.size()) {}
   void ask(const Cell& cell, double stands_for) {
     const Index truth = oracle.at(centre(cell.column), centre(rows[cell.row])).face;
     for (std::size_t m = 0; m < methods.size(); ++m)
-      if (shown(methods, m, cell) != truth) wrong[m] += stands_for;
+      if (!is_right(m, shown(methods, m, cell), truth)) wrong[m] += stands_for;
+  }
+  bool is_right(std::size_t method, Index face, Index truth) const {
+    if (face == truth || method + 1 == methods.size()) return face == truth;
+    return face != kNone && truth != kNone &&
+           canonical.faces[face].plane == canonical.faces[truth].plane;
   }
 
   const std::vector<int>& rows;
   const Methods& methods;
+  const Canonical& canonical;
   oracle::Oracle oracle;
   std::vector<double> wrong;
 };
@@ -106,9 +113,9 @@ std::vector<int> sampled_rows(const Grid& grid, int count) {
 }
 
 std::vector<std::vector<DensityRun>> runs_of_rows(const Prepared& prepared,
-                                                  const std::vector<int>& rows) {
+                                                  const std::vector<int>& rows, int threads) {
   DrawOptions options;
-  options.threads = 1;
+  options.threads = threads;
   Drawing drawing(prepared.canonical, prepared.view, options);
   std::vector<std::vector<DensityRun>> result;
   drawing.runs({}, [&](const RunRow& row) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 
@@ -35,8 +36,8 @@ void forget_peak() {
 
 Peak peak_of(const std::string& name, int size) {
   std::ostringstream command;
-  command << std::filesystem::read_symlink("/proc/self/exe") << ' ' << kAsk << ' ' << name << ' '
-          << size;
+  command << std::quoted(std::filesystem::read_symlink("/proc/self/exe").string()) << ' ' << kAsk
+          << ' ' << name << ' ' << size;
   Peak peak;
   const std::unique_ptr<FILE, int (*)(FILE*)> answer(popen(command.str().c_str(), "r"), pclose);
   if (!answer || std::fscanf(answer.get(), "%lf %lf", &peak.all, &peak.drawing) != 2) return {};

@@ -36,7 +36,7 @@ ShapePtr icosphere(int level);
 struct Prepared {
   std::shared_ptr<const Canonical> canonical;
   View view;
-  double canonicalize_ms;
+  double canonicalize_ms;  ///< of CPU time
 };
 Prepared prepare(const Scene&, const Grid&);
 Grid square_grid(int size);
