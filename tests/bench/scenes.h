@@ -23,10 +23,10 @@ Scene lit_scene_c(int level);
 Scene scene_b(int sides);
 
 enum class Boxes { apart, anywhere };
-/// 100 000 copies of one cube of side 0.02, that is about 4 of 512 columns, by Random(4242) in
+/// 100 000 copies of one cube of side 0.02, that is about 3 of 512 columns, by Random(4242) in
 /// [-1, 1)^3: `apart`, one each in the first cells of a lattice of 47^3, anywhere in its cell, so
-/// that none touches another; `anywhere`: so that nearly every other one passes through some. Seen
-/// from the default direction in a parallel view 3.6 wide. Under a point lie about ten boxes.
+/// that none passes through another; `anywhere`: more than half pass through some. Seen from the
+/// default direction in a parallel view 3.6 wide. Under a point lie about ten boxes.
 Scene many_boxes(Boxes);
 
 /// The unit sphere as 20 * 4^level triangles: the icosahedron (0, +-1, +-phi), halved.
