@@ -37,11 +37,12 @@ Errors judge(const Prepared& prepared, const std::vector<ShownRow>& peers, int t
   return {wrong, ours, worst_run_end(prepared, rows, runs)};
 }
 
-std::vector<Line> contest(const Scene& scene, int size) {
+std::vector<Line> contest(const Scene& scene, int size, bool copies) {
   const Prepared prepared = prepare(scene, square_grid(size));
   const Triangles triangles = triangles_of(*prepared.canonical);
   ZBuffer z_buffer(triangles, prepared.view, 1);
-  EmbreePeer embree(triangles, prepared.view);
+  const Copies shared = copies ? copies_of(triangles, *prepared.canonical) : Copies{};
+  EmbreePeer embree(copies ? shared.first : triangles, prepared.view, shared.shifts);
   std::size_t runs = 0;
   const std::vector<Times> times =
       interleaved({[&] { embree.build(); }, [&] { embree.trace(); }, [&] { z_buffer.draw(); },

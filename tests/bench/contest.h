@@ -37,6 +37,6 @@ inline const std::vector<std::string> kContestants = {"embree", "z_buffer", "ove
 /// One line for each of kContestants, one thread. Embree's time has its build in it, which is told
 /// as build_ms. x_embree and x_zbuffer: how many times faster than the peer; wrong_ppm: see
 /// judge.h; run_end: see run_ends.h.
-std::vector<Line> contest(const Scene&, int size);
+std::vector<Line> contest(const Scene&, int size, bool copies = false);
 
 }  // namespace overstrike::bench

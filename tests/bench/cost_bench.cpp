@@ -21,7 +21,7 @@ const std::vector<std::pair<int, std::string>> kLevels = {{0, "1600"}, {3, "1024
 const std::vector<int> kSizes = {512, 4096};
 
 std::vector<Line> boxes(const NamedScene& scene, int size) {
-  std::vector<Line> lines = contest(scene.make(), size);
+  std::vector<Line> lines = contest(scene.make(), size, true);
   const Peak peak = peak_of(scene.name, size);
   lines.back().counters["peak_mb"] = peak.all;
   lines.back().counters["drawing_peak_mb"] = peak.drawing;

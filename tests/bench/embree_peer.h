@@ -10,8 +10,10 @@ namespace overstrike::bench {
 /// Parallel views only; one thread.
 class EmbreePeer {
  public:
-  /// Both must outlive this. All columns and rows of view.grid are pixels.
-  EmbreePeer(const Triangles& triangles, const View& view);
+  /// Both must outlive this. All columns and rows of view.grid are pixels. With `shifts`, the scene
+  /// is as many instances of the triangles, each moved by its shift; triangle t of instance i has
+  /// the number i * triangles + t.
+  EmbreePeer(const Triangles& triangles, const View& view, std::vector<Vec3> shifts = {});
   ~EmbreePeer();
 
   /// Copies the triangles, as floats, and builds the tree over them anew.

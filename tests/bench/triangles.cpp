@@ -24,4 +24,19 @@ Triangles triangles_of(const Canonical& canonical) {
   return result;
 }
 
+Copies copies_of(const Triangles& all, const Canonical& canonical) {
+  const CanonicalBody& body = canonical.bodies.front();
+  Copies copies;
+  copies.first.vertices.assign(all.vertices.begin(), all.vertices.begin() + body.end_vertex);
+  for (std::size_t t = 0; t < all.faces.size() && all.faces[t] < body.end_face; ++t) {
+    copies.first.corners.push_back(all.corners[t]);
+    copies.first.faces.push_back(all.faces[t]);
+    copies.first.shade.push_back(all.shade[t]);
+  }
+  for (const CanonicalBody& b : canonical.bodies)
+    copies.shifts.push_back(canonical.vertices[b.first_vertex] -
+                            canonical.vertices[body.first_vertex]);
+  return copies;
+}
+
 }  // namespace overstrike::bench

@@ -22,4 +22,12 @@ struct Triangles {
 /// Faces of one convex loop, fanned. Precondition: there are no others.
 Triangles triangles_of(const Canonical&);
 
+/// The triangles of the first body, and how far each body is moved from it. Precondition: all
+/// bodies are moved copies of one.
+struct Copies {
+  Triangles first;
+  std::vector<Vec3> shifts;
+};
+Copies copies_of(const Triangles&, const Canonical&);
+
 }  // namespace overstrike::bench
