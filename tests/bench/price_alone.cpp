@@ -1,7 +1,7 @@
 // The one place here that knows how core scans: phase II's table and the scanner that reads it.
 #include "core/drawing.h"
 #include "core/float_environment.h"
-#include "core/visibility/eye_table.h"
+#include "core/visibility/run_shader.h"
 #include "core/visibility/scan_line.h"
 #include "tests/bench/price_scenes.h"
 
@@ -9,8 +9,8 @@ namespace overstrike::bench {
 
 std::size_t scan_alone(const Prepared& prepared) {
   const FloatEnvironment ours;
-  const EyeTable table(*prepared.canonical, prepared.view, {});
-  const LineSource source(table, density_tolerance_of(DrawOptions{}.tolerance));
+  const LineSource source(*prepared.canonical, prepared.view, nullptr,
+                          density_tolerance_of(DrawOptions{}.tolerance));
   const std::unique_ptr<RunScanner> scanner = source.scanner();
   std::vector<DensityRun> runs;
   std::size_t count = 0;
