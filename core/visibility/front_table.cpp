@@ -36,6 +36,7 @@ class Builder {
   FrontTable& table_;
   const Canonical& c_;
   const View& view_;
+  Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
   std::vector<OutlineSide> left_, right_;
 };
 
@@ -62,7 +63,7 @@ void Builder::project(Index number) {
     table_.points[v] = at;
     most = glm::max(most, glm::abs(at));
   }
-  front.reach = most;
+  reach_ = most;
   if (body.first_vertex == body.end_vertex) return;
   Vec4 size = glm::abs(m[3]);
   const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
@@ -127,7 +128,7 @@ void Builder::look_at_faces(Index number) {
     // The depth of a plane over a face is extreme at its corners.
     const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
     if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
-                                 table_.points, front.reach, front.far_z, front.near_z))
+                                 table_.points, reach_, front.far_z, front.near_z))
       continue;
     table_.sides[i] = behind ? -1 : 1;
     if (table_.use == FrontUse::picture) {

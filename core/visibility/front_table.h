@@ -62,21 +62,25 @@ struct FaceTone {
 /// either side of it: it is looked at as if it were flat.
 constexpr double kThinBody = 0x1p-20;
 
-struct FrontBody {
-  Vec3 low, high;              ///< bounds in the world
-  Vec2 reach;                  ///< bounds of the sizes of its points' coordinates
-  double near_z, far_z;        ///< of the depths of the seen faces
+/// In two lines of cache: what a level asks of every body near it, and what is asked of two that
+/// overlap on it.
+struct alignas(64) FrontBody {
   double top = 0, bottom = 0;  ///< levels between which something is seen
   LineError line_error;
-  Index first_left = 0, end_left = 0;  ///< in FrontTable::outlines, by y0
-  Index first_right = 0, end_right = 0;
+  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0
+  Index first_right = 0, end_right = 0;        ///< the same
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
-  bool seen = false;
-  bool loose = false;
-  bool triangles = false;  ///< all its faces are
-  bool broken = false;  ///< its outline is not one chain of sides on the left and one on the right
-  bool shares_plane = false;  ///< a seen face lies in a plane with another body's, or may do
+  bool seen : 1 = false;
+  bool loose : 1 = false;
+  bool triangles : 1 = false;  ///< all its faces are
+  /// Its outline is not one chain of sides on the left and one on the right.
+  bool broken : 1 = false;
+  bool shares_plane : 1 = false;  ///< a seen face lies in a plane with another body's, or may do
+
+  Vec3 low, high;        ///< bounds in the world
+  double near_z, far_z;  ///< of the depths of the seen faces
 };
+static_assert(sizeof(FrontBody) == 128);
 
 /// Levels low <= y < high at which a body's outline begins more than once.
 struct ManifoldLevels {

@@ -51,22 +51,42 @@ Outline FrontWalker::outline_at(Index body, double y) {
   return {Outline::Kind::one, left, right};
 }
 
-const std::vector<FrontSide>& FrontWalker::front_at(Index body, double y, const Outline& outline) {
+std::span<const FrontSide> FrontWalker::front_at(Index body, double y, const Outline& outline) {
   Front& front = fronts_[body];
-  if (front.from <= y && y < front.until) return front.sides;
-  front.sides.clear();
+  if (front.turn == turn_ && front.from <= y && y < front.until)
+    return {kept_.data() + front.first, front.count};
   front.from = table_.bodies[body].top, front.until = table_.bodies[body].bottom;
-  if (!walk(body, y, outline, front)) front.sides.clear(), front.until = front.from;
-  return front.sides;
+  sides_.clear();
+  if (!walk(body, y, outline, front)) {
+    front.turn = 0;
+    return {};
+  }
+  keep(front);
+  return {kept_.data() + front.first, front.count};
 }
 
-void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) const {
-  const Vec2 &p = table_.points[a], &q = table_.points[b];
-  const bool down = p.y < q.y;
-  const LevelLine line = down ? LevelLine(p, q) : LevelLine(q, p);
+void FrontWalker::keep(Front& front) {
+  front.count = static_cast<Index>(sides_.size());
+  if (front.turn != turn_ || front.room < front.count) {
+    constexpr std::size_t kMostKept = std::size_t{1} << 18;
+    if (kept_.size() > kMostKept) kept_.clear(), ++turn_;
+    front.first = static_cast<Index>(kept_.size());
+    front.room = front.count + front.count / 4;
+    front.turn = turn_;
+    kept_.resize(kept_.size() + front.room);
+  }
+  std::copy(sides_.begin(), sides_.end(), kept_.begin() + front.first);
+}
+
+void FrontWalker::add(const LineError& error, const LevelLine& line, Index face, Front& front) {
   front.from = std::max(front.from, line.y0);
   front.until = std::min(front.until, line.y1);
-  front.sides.push_back({line.x0, line.y0, line.slope, face, static_cast<float>(error.of(line))});
+  sides_.push_back({line.x0, line.y0, line.slope, face, static_cast<float>(error.of(line))});
+}
+
+void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) {
+  const Vec2 &p = table_.points[a], &q = table_.points[b];
+  add(error, p.y < q.y ? LevelLine(p, q) : LevelLine(q, p), face, front);
 }
 
 /// The corner where the side begins by which the level leaves the face; kNone when it meets more
@@ -93,7 +113,7 @@ Index FrontWalker::exit_of(Index face, Index entry, double y) const {
 /// Between two sides that a level meets lies one corner of a triangle; it takes the place of the
 /// upper end of the side or of the lower one.
 bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& error, double y,
-                                 const Outline& outline, Front& front) const {
+                                 const Outline& outline, Front& front) {
   const Canonical& c = table_.canonical;
   const Vec2* const points = table_.points.data();
   const Index* const corners = c.corners.data();
@@ -114,7 +134,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
     from = std::max(from, top.y), until = std::min(until, bottom.y);
     const double slope = (bottom.x - top.x) / (bottom.y - top.y);
     const double slack = error.constant + error.per_slope * std::fabs(slope);
-    front.sides.push_back({top.x, top.y, slope, face, static_cast<float>(slack)});
+    sides_.push_back({top.x, top.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {
     add(side.face);
@@ -135,17 +155,12 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   return false;
 }
 
-bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) const {
+bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) {
   const Canonical& c = table_.canonical;
   const LineError& error = table_.bodies[number].line_error;
   if (number == table_.ground_body()) {
-    for (const OutlineSide* side : {outline.left, outline.right}) {
-      const LevelLine& line = side->line;
-      front.from = std::max(front.from, line.y0), front.until = std::min(front.until, line.y1);
-      front.sides.push_back({line.x0, line.y0, line.slope,
-                             side == outline.left ? table_.ground() : kNone,
-                             static_cast<float>(error.of(line))});
-    }
+    add(error, outline.left->line, table_.ground(), front);
+    add(error, outline.right->line, kNone, front);
     return true;
   }
   const CanonicalBody& body = c.bodies[number];

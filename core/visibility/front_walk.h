@@ -1,5 +1,6 @@
 #pragma once
 // The front of one body on a level, found by walking from face to face (NN74, scan).
+#include <span>
 #include <vector>
 
 #include "core/visibility/front_table.h"
@@ -29,28 +30,36 @@ class FrontWalker {
 
   /// Cheap for rising levels.
   Outline outline_at(Index body, double y);
+  /// The body will soon be asked for.
+  void fetch(Index body) const { __builtin_prefetch(cursors_.data() + body); }
   /// The front's sides from left to right; empty when the walk did not arrive, which rounding can
   /// do where faces are seen edge-on, and faces that are not convex where a level meets them twice.
-  /// Precondition: outline_at() found one.
-  const std::vector<FrontSide>& front_at(Index body, double y, const Outline& outline);
+  /// Precondition: outline_at() found one. Valid until the next call.
+  std::span<const FrontSide> front_at(Index body, double y, const Outline& outline);
 
  private:
   struct Front {
-    std::vector<FrontSide> sides;
     double from = 0, until = 0;
+    Index first = 0, count = 0, room = 0;  ///< in kept_
+    Index turn = 0;                        ///< when not turn_, nothing is kept
   };
   struct Cursor {
     Index left = 0, right = 0;
   };
-  bool walk(Index body, double y, const Outline& outline, Front& front) const;
+  bool walk(Index body, double y, const Outline& outline, Front& front);
   bool walk_triangles(const CanonicalBody& body, const LineError& error, double y,
-                      const Outline& outline, Front& front) const;
-  void add(const LineError& error, Index a, Index b, Index face, Front& front) const;
+                      const Outline& outline, Front& front);
+  void keep(Front& front);
+  void add(const LineError& error, const LevelLine& line, Index face, Front& front);
+  void add(const LineError& error, Index a, Index b, Index face, Front& front);
   Index exit_of(Index face, Index entry, double y) const;
   void seek(Index& cursor, Index first, Index end, double y) const;
 
   const FrontTable& table_;
   std::vector<Front> fronts_;
+  std::vector<FrontSide> kept_;   ///< of all fronts; emptied when there are too many
+  Index turn_ = 1;                ///< of emptying
+  std::vector<FrontSide> sides_;  ///< of the walk in hand
   std::vector<Cursor> cursors_;
 };
 

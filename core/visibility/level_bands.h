@@ -7,15 +7,15 @@
 
 namespace overstrike {
 
-/// Things that stretch over levels, by bands of kHeight levels from 0; what passes through several
-/// is in all of them, in order of its number.
+/// Things that stretch over levels, by bands from 0 that are about as high as they are; what passes
+/// through several is in all of them, in order of its number.
 class LevelBands {
  public:
-  static constexpr double kHeight = 16;
-
   /// `at(i)` gives the levels {low, high} of thing i; low > high: it is nowhere.
   template <class At>
-  LevelBands(double levels, std::size_t count, const At& at) : start_(bands(levels) + 1, 0) {
+  LevelBands(double levels, std::size_t count, const At& at)
+      : height_(height(levels, count, at)),
+        start_(2 + static_cast<std::size_t>(levels > 0 ? levels / height_ : 0), 0) {
     const auto each = [&](const auto& visit) {
       for (std::size_t i = 0; i < count; ++i) {
         const auto [low, high] = at(i);
@@ -34,15 +34,15 @@ class LevelBands {
   /// The band of a level; the first or last one for what lies outside.
   std::size_t band(double y) const {
     const double last = static_cast<double>(start_.size() - 2);
-    const double b = y * (1 / kHeight);
+    const double b = y / height_;
     return b > 0 ? static_cast<std::size_t>(b < last ? b : last) : 0;
   }
   /// The levels of a band, low <= y < high; the first and last go on without end.
   double low(std::size_t band) const {
-    return band == 0 ? -kEndless : static_cast<double>(band) * kHeight;
+    return band == 0 ? -kEndless : static_cast<double>(band) * height_;
   }
   double high(std::size_t band) const {
-    return band + 2 == start_.size() ? kEndless : static_cast<double>(band + 1) * kHeight;
+    return band + 2 == start_.size() ? kEndless : static_cast<double>(band + 1) * height_;
   }
   std::span<const Index> operator[](std::size_t band) const {
     return {items_.data() + start_[band], items_.data() + start_[band + 1]};
@@ -50,9 +50,21 @@ class LevelBands {
 
  private:
   static constexpr double kEndless = 1e300;
-  static std::size_t bands(double levels) {
-    return 1 + static_cast<std::size_t>(levels > 0 ? levels / kHeight : 0);
+  /// A power of two, so that division by it is exact.
+  template <class At>
+  static double height(double levels, std::size_t count, const At& at) {
+    double sum = 0, number = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [low, high] = at(i);
+      if (!(low <= high) || high < 0 || low > levels) continue;
+      sum += high - low, ++number;
+    }
+    constexpr double kLeast = 1, kMost = 16;
+    double height = kLeast;
+    while (height < kMost && height < sum / number) height *= 2;
+    return height;
   }
+  double height_;
   std::vector<std::size_t> start_;
   std::vector<Index> items_;
 };

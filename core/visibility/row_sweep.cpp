@@ -65,7 +65,11 @@ void RowSweep::collect(double y) {
   ends_.push_back(edge);
   ends_.push_back(edge);
   ends_.back().x = ends_.back().event.x0 = table_.fronts.columns;
-  for (const Index body : table_.bodies[band]) collect_front(body, y);
+  const std::span<const Index> bodies = table_.bodies[band];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    fetch_ahead(bodies, i);
+    collect_front(bodies[i], y);
+  }
   const std::span<const Index> edges = table_.loose.in_band(band);
   for (std::size_t i = 0; i < edges.size();) {
     if (!loose_) loose_.emplace(table_.fronts, faces_);
@@ -76,6 +80,24 @@ void RowSweep::collect(double y) {
     loose_->resolve(y, sides_);
     add_stretches(body, first);
     until_ = from_;
+  }
+}
+
+/// Small bodies lie all over the memory: what the next ones need is on its way while this one is
+/// looked at.
+void RowSweep::fetch_ahead(std::span<const Index> bodies, std::size_t at) const {
+  constexpr std::size_t kFar = 12, kNear = 6;
+  const FrontTable& fronts = table_.fronts;
+  if (at + kFar < bodies.size()) {
+    const FrontBody& far = fronts.bodies[bodies[at + kFar]];
+    __builtin_prefetch(&far);
+    __builtin_prefetch(&far.low);
+    walker_.fetch(bodies[at + kFar]);
+  }
+  if (at + kNear < bodies.size()) {
+    const FrontBody& near = fronts.bodies[bodies[at + kNear]];
+    __builtin_prefetch(fronts.outlines.data() + near.first_left);
+    __builtin_prefetch(fronts.outlines.data() + near.first_right);
   }
 }
 
@@ -214,7 +236,7 @@ bool RowSweep::follow_plan(double y, std::vector<SpanPiece>& pieces) {
 
 /// Sides that rounding has put out of order are put where their neighbour is.
 bool RowSweep::walk(Item& item, double y) {
-  const std::vector<FrontSide>& front = walker_.front_at(item.body, y, item.outline);
+  const std::span<const FrontSide> front = walker_.front_at(item.body, y, item.outline);
   if (front.empty()) {
     not_walkable_.push_back(item.body);
     return false;

@@ -80,6 +80,7 @@ class RowSweep {
   bool plan_holds(double y);
   void make_plan(double y);
   void collect(double y);
+  void fetch_ahead(std::span<const Index> bodies, std::size_t at) const;
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
