@@ -15,6 +15,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A body whose outline begins twice at more than this part of its levels gets an active edge list
 /// at all of them.
 constexpr double kMostManifold = 1.0 / 8;
+/// Sides that are looked at one by one on every level, rather than walked once for several; and the
+/// levels over which that pays.
+constexpr std::size_t kFewSides = 16;
+constexpr double kFewLevels = 8;
 class Builder {
  public:
   explicit Builder(FrontTable& table) : table_(table), c_(table.canonical), view_(table.view) {}
@@ -29,6 +33,7 @@ class Builder {
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
   void add_side(const WingedEdge& edge, bool left_seen);
+  void add_small_side(const WingedEdge& edge);
   void keep_outline(Index number);
   Index corner_of(Index face, Index vertex) const;
   void note_manifold_levels(Index number);
@@ -38,6 +43,7 @@ class Builder {
   const View& view_;
   Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
   std::vector<OutlineSide> left_, right_;
+  std::vector<SmallSide> all_;  ///< of a body in a picture, as long as they are few
 };
 
 // Each of x^, y^, w^ is a sum of four products, rounded by at most 2 eps sum |terms|; the quotient
@@ -155,6 +161,18 @@ Index Builder::corner_of(Index face, Index vertex) const {
   return kNone;
 }
 
+void Builder::add_small_side(const WingedEdge& edge) {
+  const Vec2 &a = table_.points[edge.from], &b = table_.points[edge.to];
+  if (a.y == b.y) return;
+  const Index left = table_.seen(edge.left) ? edge.left : kNone;
+  const Index right = table_.seen(edge.right) ? edge.right : kNone;
+  // What goes down in a face's loop has the face on its right, when it is seen from its front.
+  const bool down = a.y < b.y;
+  const bool ahead = down != table_.from_behind(left != kNone ? left : right);
+  all_.push_back(
+      {down ? LevelLine(a, b) : LevelLine(b, a), ahead ? right : left, ahead ? left : right});
+}
+
 void Builder::add_side(const WingedEdge& edge, bool left_seen) {
   const Index from = left_seen ? edge.from : edge.to, to = left_seen ? edge.to : edge.from;
   const Index face = left_seen ? edge.left : edge.right;
@@ -203,6 +221,14 @@ void Builder::keep_outline(Index number) {
   std::sort(right_.begin(), right_.end(), by_level);
   note_manifold_levels(number);
   if (front.loose) return;
+  const bool low = front.bottom - front.top <= kFewLevels || number == table_.ground_body();
+  front.small = low && !front.broken && !all_.empty() && all_.size() <= kFewSides;
+  if (front.small) {
+    front.first_left = static_cast<Index>(table_.small_sides.size());
+    table_.small_sides.insert(table_.small_sides.end(), all_.begin(), all_.end());
+    front.end_left = static_cast<Index>(table_.small_sides.size());
+    return;
+  }
   const auto append = [&](const std::vector<OutlineSide>& sides, Index& first, Index& end) {
     first = static_cast<Index>(table_.outlines.size());
     table_.outlines.insert(table_.outlines.end(), sides.begin(), sides.end());
@@ -216,11 +242,13 @@ void Builder::find_outline(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   const FrontBody& front = table_.bodies[number];
   if (!front.seen || front.loose) return;
-  left_.clear(), right_.clear();
+  left_.clear(), right_.clear(), all_.clear();
+  const bool picture = table_.use == FrontUse::picture;
   for (Index e = body.first_edge; e < body.end_edge; ++e) {
     const WingedEdge& edge = c_.edges[e];
     const bool left = table_.seen(edge.left), right = table_.seen(edge.right);
     if (left != right) add_side(edge, left);
+    if ((left || right) && picture && all_.size() <= kFewSides) add_small_side(edge);
   }
   keep_outline(number);
 }
@@ -267,7 +295,7 @@ void Builder::add_ground() {
   const double reach = std::max(table_.columns, table_.rows) + 1;
   ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
   if (!is_seen) return;
-  left_.clear(), right_.clear();
+  left_.clear(), right_.clear(), all_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     if (a.y == b.y) continue;
@@ -275,6 +303,8 @@ void Builder::add_ground() {
     const Side side{kNone, table_.ground()};
     (down ? right_ : left_)
         .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+    all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? table_.ground() : kNone,
+                    down ? kNone : table_.ground()});
   }
   keep_outline(number);
 }
@@ -293,6 +323,8 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       bodies(canonical.bodies.size() + 1),
       further_planes(ground_planes(canonical, view)),
       depths(canonical.planes, further_planes, view) {
+  // Room, not memory, until it is used.
+  if (use == FrontUse::picture) small_sides.reserve(canonical.edges.size());
   Builder builder(*this);
   for (Index b = 0; b < canonical.bodies.size(); ++b) {
     builder.project(b);

@@ -62,16 +62,24 @@ struct FaceTone {
 /// either side of it: it is looked at as if it were flat.
 constexpr double kThinBody = 0x1p-20;
 
+/// A side of a body with few of them, and the seen faces on either hand (kNone: none).
+struct SmallSide {
+  LevelLine line;
+  Index left, right;
+};
+
 /// In two lines of cache: what a level asks of every body near it, and what is asked of two that
 /// overlap on it.
 struct alignas(64) FrontBody {
   double top = 0, bottom = 0;  ///< levels between which something is seen
   LineError line_error;
-  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0
+  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0; of a small body
+                                               ///< all its sides, in FrontTable::small_sides
   Index first_right = 0, end_right = 0;        ///< the same
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
   bool seen : 1 = false;
   bool loose : 1 = false;
+  bool small : 1 = false;
   bool triangles : 1 = false;  ///< all its faces are
   /// Its outline is not one chain of sides on the left and one on the right.
   bool broken : 1 = false;
@@ -106,6 +114,7 @@ struct FrontTable {
   std::vector<FaceTone> tones;     ///< of the faces that are seen, for a picture
   std::vector<FrontBody> bodies;
   std::vector<OutlineSide> outlines;
+  std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
   std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
   DepthMap depths;

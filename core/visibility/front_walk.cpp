@@ -26,37 +26,74 @@ void FrontWalker::seek(Index& cursor, Index first, Index end, double y) const {
   if (cursor > first) --cursor;
 }
 
+Outline FrontWalker::small_outline(const FrontBody& front, double y) const {
+  Outline outline;
+  for (Index i = front.first_left; i < front.end_left; ++i) {
+    const SmallSide& s = table_.small_sides[i];
+    if (!(s.line.y0 <= y && y < s.line.y1)) continue;
+    if (s.left == kNone) outline.left = &s.line;
+    if (s.right == kNone) outline.right = &s.line;
+  }
+  if (outline.left != nullptr) outline.kind = Outline::Kind::one;
+  return outline;
+}
+
+/// From side to side by the face between them.
+bool FrontWalker::list_small(const FrontBody& front, double y) {
+  const SmallSide* meeting[16];
+  std::size_t count = 0;
+  for (Index i = front.first_left; i < front.end_left; ++i) {
+    const SmallSide& s = table_.small_sides[i];
+    if (s.line.y0 <= y && y < s.line.y1) meeting[count++] = &s;
+  }
+  for (Index face = kNone; count > 0;) {
+    std::size_t i = 0;
+    while (i < count && meeting[i]->left != face) ++i;
+    if (i == count) return false;
+    const SmallSide& s = *meeting[i];
+    meeting[i] = meeting[--count];
+    face = s.right;
+    sides_.push_back({s.line.x0, s.line.y0, s.line.slope, face,
+                      static_cast<float>(front.line_error.of(s.line))});
+    if (face == kNone) return true;
+  }
+  return false;
+}
+
 Outline FrontWalker::outline_at(Index body, double y) {
   const FrontBody& front = table_.bodies[body];
-  if (!(front.top <= y && y < front.bottom)) return {Outline::Kind::none, nullptr, nullptr};
+  if (!(front.top <= y && y < front.bottom)) return {};
+  if (front.small) return small_outline(front, y);
   Cursor& at = cursors_[body];
   seek(at.left, front.first_left, front.end_left, y);
   seek(at.right, front.first_right, front.end_right, y);
   const auto meets = [y](const OutlineSide& s) { return s.line.y0 <= y && y < s.line.y1; };
-  const OutlineSide* left = &table_.outlines[at.left];
-  const OutlineSide* right = &table_.outlines[at.right];
+  const OutlineSide& left = table_.outlines[at.left];
+  const OutlineSide& right = table_.outlines[at.right];
+  Outline outline{Outline::Kind::one, &left.line, &right.line, left.side, right.side.corner};
+  if (!front.broken) {
+    if (!meets(left) || !meets(right)) outline.kind = Outline::Kind::none;
+    return outline;
+  }
   // Sides that overlap in their levels, if only by rounding: the last to begin may have ended.
-  const bool known = meets(*left) && meets(*right);
-  if (!known) {
-    if (!front.broken && !meets(*left) && !meets(*right))
-      return {Outline::Kind::none, nullptr, nullptr};
-    return {Outline::Kind::several, nullptr, nullptr};
-  }
-  if (front.broken) {
-    const auto in = [&](const ManifoldLevels& m) { return m.low <= y && y < m.high; };
-    if (std::any_of(table_.manifold.begin() + front.first_manifold,
-                    table_.manifold.begin() + front.end_manifold, in))
-      return {Outline::Kind::several, left, right};
-  }
-  return {Outline::Kind::one, left, right};
+  const auto in = [&](const ManifoldLevels& m) { return m.low <= y && y < m.high; };
+  if (!meets(left) || !meets(right) ||
+      std::any_of(table_.manifold.begin() + front.first_manifold,
+                  table_.manifold.begin() + front.end_manifold, in))
+    outline.kind = Outline::Kind::several;
+  return outline;
 }
 
 std::span<const FrontSide> FrontWalker::front_at(Index body, double y, const Outline& outline) {
+  sides_.clear();
+  if (table_.bodies[body].small) {
+    if (!list_small(table_.bodies[body], y)) sides_.clear();
+    return sides_;
+  }
   Front& front = fronts_[body];
   if (front.turn == turn_ && front.from <= y && y < front.until)
     return {kept_.data() + front.first, front.count};
   front.from = table_.bodies[body].top, front.until = table_.bodies[body].bottom;
-  sides_.clear();
   if (!walk(body, y, outline, front)) {
     front.turn = 0;
     return {};
@@ -78,15 +115,12 @@ void FrontWalker::keep(Front& front) {
   std::copy(sides_.begin(), sides_.end(), kept_.begin() + front.first);
 }
 
-void FrontWalker::add(const LineError& error, const LevelLine& line, Index face, Front& front) {
+void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) {
+  const Vec2 &p = table_.points[a], &q = table_.points[b];
+  const LevelLine line = p.y < q.y ? LevelLine(p, q) : LevelLine(q, p);
   front.from = std::max(front.from, line.y0);
   front.until = std::min(front.until, line.y1);
   sides_.push_back({line.x0, line.y0, line.slope, face, static_cast<float>(error.of(line))});
-}
-
-void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) {
-  const Vec2 &p = table_.points[a], &q = table_.points[b];
-  add(error, p.y < q.y ? LevelLine(p, q) : LevelLine(q, p), face, front);
 }
 
 /// The corner where the side begins by which the level leaves the face; kNone when it meets more
@@ -118,7 +152,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   const Vec2* const points = table_.points.data();
   const Index* const corners = c.corners.data();
   const Twin* const twins = c.twins.data() + body.first_twin - body.first_corner;
-  Side side = outline.left->side;
+  Side side = outline.first;
   const bool behind = table_.from_behind(side.face);
   const auto first_of = [&](Index face) {
     return body.first_corner + 3 * (face - body.first_face);
@@ -147,7 +181,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
     if (twin.face == kNone || !table_.seen(twin.face + body.first_face)) {
       add(kNone);
       front.from = from, front.until = until;
-      return exit == outline.right->side.corner;
+      return exit == outline.last_corner;
     }
     side = {twin.corner + body.first_corner, twin.face + body.first_face};
     first = first_of(side.face);
@@ -158,18 +192,13 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
 bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) {
   const Canonical& c = table_.canonical;
   const LineError& error = table_.bodies[number].line_error;
-  if (number == table_.ground_body()) {
-    add(error, outline.left->line, table_.ground(), front);
-    add(error, outline.right->line, kNone, front);
-    return true;
-  }
   const CanonicalBody& body = c.bodies[number];
   if (table_.bodies[number].triangles) return walk_triangles(body, error, y, outline, front);
   const auto end_of = [&](Side s) {
     const Index loop = c.faces[s.face].first_loop;
     return s.corner + 1 == c.loop_ends[loop] ? c.first_corner(loop) : s.corner + 1;
   };
-  Side side = outline.left->side;
+  Side side = outline.first;
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {
     add(error, c.corners[side.corner], c.corners[end_of(side)], side.face, front);
     const Index exit = exit_of(side.face, side.corner, y);
@@ -178,7 +207,7 @@ bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& fr
     if (!table_.seen(twin.face)) {
       const Side last{exit, side.face};
       add(error, c.corners[exit], c.corners[end_of(last)], kNone, front);
-      return exit == outline.right->side.corner;
+      return exit == outline.last_corner;
     }
     side = {twin.corner, twin.face};
   }

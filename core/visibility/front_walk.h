@@ -19,8 +19,10 @@ struct FrontSide {
 /// Where a front begins and ends on a level.
 struct Outline {
   enum class Kind { none, one, several };
-  Kind kind;
-  const OutlineSide *left, *right;
+  Kind kind = Kind::none;
+  const LevelLine *left = nullptr, *right = nullptr;
+  Side first{};               ///< what a walk begins with; not of a small body
+  Index last_corner = kNone;  ///< and what it ends with
 };
 
 /// Walks fronts; what was found is kept for the levels between the same vertices. One a thread.
@@ -30,8 +32,6 @@ class FrontWalker {
 
   /// Cheap for rising levels.
   Outline outline_at(Index body, double y);
-  /// The body will soon be asked for.
-  void fetch(Index body) const { __builtin_prefetch(cursors_.data() + body); }
   /// The front's sides from left to right; empty when the walk did not arrive, which rounding can
   /// do where faces are seen edge-on, and faces that are not convex where a level meets them twice.
   /// Precondition: outline_at() found one. Valid until the next call.
@@ -46,11 +46,12 @@ class FrontWalker {
   struct Cursor {
     Index left = 0, right = 0;
   };
+  Outline small_outline(const FrontBody& front, double y) const;
+  bool list_small(const FrontBody& front, double y);
   bool walk(Index body, double y, const Outline& outline, Front& front);
   bool walk_triangles(const CanonicalBody& body, const LineError& error, double y,
                       const Outline& outline, Front& front);
   void keep(Front& front);
-  void add(const LineError& error, const LevelLine& line, Index face, Front& front);
   void add(const LineError& error, Index a, Index b, Index face, Front& front);
   Index exit_of(Index face, Index entry, double y) const;
   void seek(Index& cursor, Index first, Index end, double y) const;

@@ -11,6 +11,11 @@ namespace overstrike {
 /// through several is in all of them, in order of its number.
 class LevelBands {
  public:
+  struct Item {
+    double low, high;
+    Index number;
+    bool meets(double y) const { return low <= y && y < high; }
+  };
   /// `at(i)` gives the levels {low, high} of thing i; low > high: it is nowhere.
   template <class At>
   LevelBands(double levels, std::size_t count, const At& at)
@@ -21,14 +26,14 @@ class LevelBands {
         const auto [low, high] = at(i);
         if (!(low <= high) || high < 0 || low > levels) continue;
         for (std::size_t b = band(low), last = band(high); b <= last; ++b)
-          visit(b, static_cast<Index>(i));
+          visit(b, Item{low, high, static_cast<Index>(i)});
       }
     };
-    each([&](std::size_t b, Index) { ++start_[b + 1]; });
+    each([&](std::size_t b, const Item&) { ++start_[b + 1]; });
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
     items_.resize(start_.back());
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    each([&](std::size_t b, Index i) { items_[next[b]++] = i; });
+    each([&](std::size_t b, const Item& item) { items_[next[b]++] = item; });
   }
 
   /// The band of a level; the first or last one for what lies outside.
@@ -44,7 +49,7 @@ class LevelBands {
   double high(std::size_t band) const {
     return band + 2 == start_.size() ? kEndless : static_cast<double>(band + 1) * height_;
   }
-  std::span<const Index> operator[](std::size_t band) const {
+  std::span<const Item> operator[](std::size_t band) const {
     return {items_.data() + start_[band], items_.data() + start_[band + 1]};
   }
 
@@ -66,7 +71,7 @@ class LevelBands {
   }
   double height_;
   std::vector<std::size_t> start_;
-  std::vector<Index> items_;
+  std::vector<Item> items_;
 };
 
 }  // namespace overstrike

@@ -23,7 +23,7 @@ class LooseEdges {
   explicit LooseEdges(const FrontTable& table);
   const LooseEdge& operator[](Index i) const { return edges_[i]; }
   /// At least those that meet levels of the band, in order of their numbers.
-  std::span<const Index> in_band(std::size_t band) const { return bands_[band]; }
+  std::span<const LevelBands::Item> in_band(std::size_t band) const { return bands_[band]; }
 
  private:
   std::vector<LooseEdge> edges_;

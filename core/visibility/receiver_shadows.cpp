@@ -57,7 +57,8 @@ void ReceiverShadow::on_level(double y, std::vector<ShadowSpan>& spans) const {
     ++count;
   };
   if (bands_) {
-    for (const Index i : (*bands_)[bands_->band(y)]) meet(lines_[i]);
+    for (const LevelBands::Item& item : (*bands_)[bands_->band(y)])
+      if (item.meets(y)) meet(lines_[item.number]);
   } else {
     for (const ShadowLine& line : lines_) meet(line);
   }

@@ -65,17 +65,26 @@ void RowSweep::collect(double y) {
   ends_.push_back(edge);
   ends_.push_back(edge);
   ends_.back().x = ends_.back().event.x0 = table_.fronts.columns;
-  const std::span<const Index> bodies = table_.bodies[band];
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    fetch_ahead(bodies, i);
-    collect_front(bodies[i], y);
+  meeting_bodies_.clear();
+  for (const LevelBands::Item& item : table_.bodies[band]) {
+    if (item.meets(y)) {
+      meeting_bodies_.push_back(item.number);
+    } else if (y < item.low) {
+      until_ = std::min(until_, item.low);
+    } else {
+      from_ = std::max(from_, item.high);
+    }
   }
-  const std::span<const Index> edges = table_.loose.in_band(band);
+  for (std::size_t i = 0; i < meeting_bodies_.size(); ++i) {
+    fetch_ahead(i);
+    collect_front(meeting_bodies_[i], y);
+  }
+  const std::span<const LevelBands::Item> edges = table_.loose.in_band(band);
   for (std::size_t i = 0; i < edges.size();) {
     if (!loose_) loose_.emplace(table_.fronts, faces_);
-    const Index body = table_.loose[edges[i]].body;
-    for (; i < edges.size() && table_.loose[edges[i]].body == body; ++i)
-      loose_->add(table_.loose[edges[i]], y);
+    const Index body = table_.loose[edges[i].number].body;
+    for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
+      if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
     const std::size_t first = sides_.size();
     loose_->resolve(y, sides_);
     add_stretches(body, first);
@@ -85,39 +94,35 @@ void RowSweep::collect(double y) {
 
 /// Small bodies lie all over the memory: what the next ones need is on its way while this one is
 /// looked at.
-void RowSweep::fetch_ahead(std::span<const Index> bodies, std::size_t at) const {
+void RowSweep::fetch_ahead(std::size_t at) const {
   constexpr std::size_t kFar = 12, kNear = 6;
   const FrontTable& fronts = table_.fronts;
-  if (at + kFar < bodies.size()) {
-    const FrontBody& far = fronts.bodies[bodies[at + kFar]];
+  if (at + kFar < meeting_bodies_.size()) {
+    const FrontBody& far = fronts.bodies[meeting_bodies_[at + kFar]];
     __builtin_prefetch(&far);
     __builtin_prefetch(&far.low);
-    walker_.fetch(bodies[at + kFar]);
   }
-  if (at + kNear < bodies.size()) {
-    const FrontBody& near = fronts.bodies[bodies[at + kNear]];
-    __builtin_prefetch(fronts.outlines.data() + near.first_left);
-    __builtin_prefetch(fronts.outlines.data() + near.first_right);
-  }
+  if (at + kNear >= meeting_bodies_.size()) return;
+  const FrontBody& near = fronts.bodies[meeting_bodies_[at + kNear]];
+  if (!near.small) return;
+  const char* const sides =
+      reinterpret_cast<const char*>(fronts.small_sides.data() + near.first_left);
+  const std::size_t size = (near.end_left - near.first_left) * sizeof(SmallSide);
+  for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(sides + line);
 }
 
 void RowSweep::collect_front(Index body, double y) {
   const FrontBody& front = table_.fronts.bodies[body];
   const Outline outline = walker_.outline_at(body, y);
   if (outline.kind == Outline::Kind::none) {
-    if (y < front.top) {
-      until_ = std::min(until_, front.top);
-    } else {
-      from_ = std::max(from_, y < front.bottom ? y : front.bottom);
-      if (y < front.bottom) until_ = from_;
-    }
+    until_ = from_;
     return;
   }
   const bool known =
       outline.kind == Outline::Kind::one &&
       std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
   if (!known) return collect_loose(body, y);
-  const LevelLine &left = outline.left->line, &right = outline.right->line;
+  const LevelLine &left = *outline.left, &right = *outline.right;
   from_ = std::max({from_, left.y0, right.y0});
   until_ = std::min({until_, left.y1, right.y1});
   if (front.broken) until_ = from_;
@@ -169,17 +174,18 @@ void RowSweep::add_stretches(Index body, std::size_t first) {
 
 /// Goes over the ends from left to right and notes, between each two that differ, what is seen.
 void RowSweep::lay_out() {
-  std::sort(ends_.begin(), ends_.end(), [](const ItemEnd& a, const ItemEnd& b) {
-    return a.x != b.x ? a.x < b.x : a.item < b.item;
-  });
+  by_x_.clear();
+  for (std::size_t i = 0; i < ends_.size(); ++i)
+    by_x_.push_back({ends_[i].x, static_cast<Index>(i)});
+  std::sort(by_x_.begin(), by_x_.end());
   events_.clear(), event_x_.clear(), segments_.clear(), contenders_.clear(), active_.clear();
   bool chosen = false, inside = false;
   Index first_contender = 0;
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const ItemEnd& end = ends_[i];
+  for (std::size_t i = 0; i < by_x_.size(); ++i) {
+    const ItemEnd& end = ends_[by_x_[i].second];
     const Index event = static_cast<Index>(i);
     events_.push_back(end.event);
-    events_.back().same = i > 0 && ends_[i - 1].x == end.x;
+    events_.back().same = i > 0 && by_x_[i - 1].first == end.x;
     event_x_.push_back(end.x);
     if (end.item == kNone) {
       inside = !inside;
@@ -191,7 +197,8 @@ void RowSweep::lay_out() {
       chosen = chosen && std::find(contenders_.begin() + first_contender, contenders_.end(),
                                    end.item) == contenders_.end();
     }
-    if (i + 1 == ends_.size() || ends_[i + 1].x == end.x || !inside || active_.empty()) continue;
+    if (i + 1 == by_x_.size() || by_x_[i + 1].first == end.x || !inside || active_.empty())
+      continue;
     if (!chosen) first_contender = static_cast<Index>(contenders_.size()), choose();
     chosen = true;
     segments_.push_back(

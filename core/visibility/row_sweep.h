@@ -80,7 +80,7 @@ class RowSweep {
   bool plan_holds(double y);
   void make_plan(double y);
   void collect(double y);
-  void fetch_ahead(std::span<const Index> bodies, std::size_t at) const;
+  void fetch_ahead(std::size_t at) const;
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
@@ -111,7 +111,9 @@ class RowSweep {
   std::vector<Index> contenders_;
   // Of making a plan.
   std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked on this level
+  std::vector<Index> meeting_bodies_;
   std::vector<ItemEnd> ends_;
+  std::vector<std::pair<double, Index>> by_x_;  ///< of ends_
   std::vector<Index> active_;
   // Of one level.
   std::vector<double> event_x_;
