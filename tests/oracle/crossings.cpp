@@ -16,12 +16,10 @@ constexpr double kPastEnd = 1e-6;
 
 struct Crossings::Search {
   const Line& line;
-  double s;
-  std::vector<double> found;
+  std::vector<Place> found;
 
   void add(double at, double condition) {
-    if (std::fabs(at - s) <= std::min(kSearch * condition, kWidestSearch))
-      found.push_back(condition);
+    if (std::isfinite(at)) found.push_back({at, std::max(1.0, condition)});
   }
   /// How far a homogeneous grid point (x^, y^, w^) lies across the line, times w^.
   double across(const Vec3& p) const {
@@ -89,24 +87,53 @@ void Crossings::depths(Search& search, const Plane& with) const {
   if (in_.ground_z) search.add_depths(one, image(Plane{Vec3(0, 0, 1), *in_.ground_z}));
 }
 
+Plane Crossings::plane_of(const Seen& seen) const {
+  if (seen.face != kNone) return in_.planes[in_.faces[seen.face].plane];
+  return {Vec3(0, 0, 1), in_.ground_z.value_or(0)};
+}
+
+/// What may change on the planes of `left` and `right`, but for other planes that pass through.
+void Crossings::outlines(Search& search, const Seen& left, const Seen& right) const {
+  edges(search);
+  for (const Seen& seen : {left, right})
+    if (in_.light && (seen.face != kNone || in_.ground_z)) shadow_edges(search, plane_of(seen));
+  if (view_.near_plane) depths(search, *view_.near_plane);
+}
+
+void Crossings::everything(Search& search, const Seen& left, const Seen& right) const {
+  outlines(search, left, right);
+  for (const Seen& seen : {left, right})
+    if (seen.face != kNone || in_.ground_z) depths(search, plane_of(seen));
+}
+
 std::vector<double> Crossings::conditions(const Line& line, double s, const Seen& left,
                                           const Seen& right) const {
-  Search search{line, s, {}};
-  edges(search);
-  for (const Seen& seen : {left, right}) {
-    if (seen.face != kNone) {
-      const Plane& plane = in_.planes[in_.faces[seen.face].plane];
-      depths(search, plane);
-      if (in_.light) shadow_edges(search, plane);
-    } else if (in_.ground_z) {
-      const Plane ground{Vec3(0, 0, 1), *in_.ground_z};
-      depths(search, ground);
-      if (in_.light) shadow_edges(search, ground);
-    }
-  }
-  if (view_.near_plane) depths(search, *view_.near_plane);
-  std::sort(search.found.begin(), search.found.end());
-  return search.found;
+  Search search{line, {}};
+  everything(search, left, right);
+  std::vector<double> near;
+  for (const Place& p : search.found)
+    if (std::fabs(p.s - s) <= std::min(kSearch * p.condition, kWidestSearch))
+      near.push_back(p.condition);
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+bool Crossings::may_be_off(const Line& line, double s, const Seen& left, const Seen& right,
+                           double error) const {
+  Search search{line, {}};
+  outlines(search, left, right);
+  search.add_depths(image(plane_of(left)), image(plane_of(right)));
+  return std::any_of(search.found.begin(), search.found.end(), [&](const Place& p) {
+    return std::fabs(p.s - s) <= error * p.condition;
+  });
+}
+
+std::vector<Crossings::Place> Crossings::places(const Line& line, const Seen& seen) const {
+  Search search{line, {}};
+  everything(search, seen, seen);
+  std::sort(search.found.begin(), search.found.end(),
+            [](const Place& a, const Place& b) { return a.s < b.s; });
+  return std::move(search.found);
 }
 
 }  // namespace overstrike::oracle

@@ -31,6 +31,19 @@ class Crossings {
   std::vector<double> conditions(const Line& line, double s, const Seen& left,
                                  const Seen& right) const;
 
+  /// True when something that may part `left` from `right` crosses the line within `error` grid
+  /// units of `s`, times its condition number.
+  bool may_be_off(const Line& line, double s, const Seen& left, const Seen& right,
+                  double error) const;
+
+  /// A place on a line where something may change, and its condition number.
+  struct Place {
+    double s, condition;
+  };
+  /// Every place on the line where an edge of the scene crosses it, or what may change on the plane
+  /// of `seen`: shadows and other planes. Ascending.
+  std::vector<Place> places(const Line& line, const Seen& seen) const;
+
  private:
   struct Search;
   Vec3 image(const Vec3& p) const;
@@ -38,6 +51,9 @@ class Crossings {
   void edges(Search& search) const;
   void shadow_edges(Search& search, const Plane& receiver) const;
   void depths(Search& search, const Plane& with) const;
+  Plane plane_of(const Seen& seen) const;
+  void outlines(Search& search, const Seen& left, const Seen& right) const;
+  void everything(Search& search, const Seen& left, const Seen& right) const;
 
   const Canonical& in_;
   const View& view_;
