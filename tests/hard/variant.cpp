@@ -32,11 +32,11 @@ Direction direction_to(const Vec3& v) {
 
 /// With an eye, a target and a near distance of its own.
 Camera explicit_camera(const Scene& scene, const Mat3& turn, const Affine& pose, double scale) {
-  const CameraFrame frame = camera_frame(scene.camera, scene_bounds(scene));
+  const CameraFrame frame = camera_frame(scene.camera, stage_of(scene));
   Camera camera = scene.camera;
   camera.look_at.reset(), camera.distance.reset();
-  camera.eye = pose(frame.eye);
-  camera.target = pose(frame.target);
+  camera.eye = pose(frame.eye + frame.origin);
+  camera.target = pose(frame.target + frame.origin);
   camera.up = turn * frame.up;
   if (camera.near_distance || !camera.parallel) camera.near_distance = frame.near_distance * scale;
   if (camera.window_width) *camera.window_width *= scale;

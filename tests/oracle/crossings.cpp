@@ -12,14 +12,27 @@ constexpr double kSearch = 1e-6, kWidestSearch = 1e-3;
 /// How far past its ends an edge still counts, relative to its length: for run ends at vertices.
 constexpr double kPastEnd = 1e-6;
 
+/// Whether p is within `reach` of the segment between two homogeneous grid points; of the whole
+/// straight line where one of them is behind the eye.
+bool is_near(const Vec2& p, const Vec3& a, const Vec3& b, double reach) {
+  const Vec3 l = glm::cross(a, b);
+  const double across = std::fabs(glm::dot(l, Vec3(p, 1)));
+  if (!(across <= reach * std::hypot(l.x, l.y))) return false;
+  if (a.z <= 0 || b.z <= 0) return a.z > 0 || b.z > 0;
+  const Vec2 from = Vec2(a) / a.z, to = Vec2(b) / b.z, d = to - from;
+  const double along = glm::dot(p - from, d), length = glm::length(d);
+  return along >= -reach * length && along <= (length + reach) * length;
+}
+
 }  // namespace
 
 struct Crossings::Search {
   const Line& line;
+  double depth_error;
   std::vector<Place> found;
 
   void add(double at, double condition) {
-    if (std::isfinite(at)) found.push_back({at, std::max(1.0, condition)});
+    if (std::isfinite(at) && std::isfinite(condition)) found.push_back({at, std::max(1.0, condition)});
   }
   /// How far a homogeneous grid point (x^, y^, w^) lies across the line, times w^.
   double across(const Vec3& p) const {
@@ -48,12 +61,17 @@ struct Crossings::Search {
     const double along_line = glm::dot(difference, line.direction);
     if (along_line == 0) return;
     const double start = -a.z / a.w + b.z / b.w + glm::dot(difference, line.origin);
-    add(-start / along_line, (glm::length(slope_a) + glm::length(slope_b)) / std::fabs(along_line));
+    const double steepest = glm::length(slope_a) + glm::length(slope_b);
+    add(-start / along_line, (steepest + depth_error / kEndError) / std::fabs(along_line));
   }
 };
 
 Crossings::Crossings(const Canonical& canonical, const View& view)
-    : in_(canonical), view_(view), planes_to_grid_(glm::transpose(glm::inverse(view.matrix))) {}
+    : in_(canonical), view_(view), planes_to_grid_(glm::transpose(glm::inverse(view.matrix))) {
+  double size = 0;
+  for (const Vec3& p : in_.vertices) size = std::max(size, glm::length(p));
+  depth_error_ = kDepthRounding * size / view.world_per_cell;
+}
 
 Vec3 Crossings::image(const Vec3& p) const { return Vec3(view_.matrix * Vec4(p, 1)); }
 
@@ -108,7 +126,7 @@ void Crossings::everything(Search& search, const Seen& left, const Seen& right) 
 
 std::vector<double> Crossings::conditions(const Line& line, double s, const Seen& left,
                                           const Seen& right) const {
-  Search search{line, {}};
+  Search search{line, depth_error_, {}};
   everything(search, left, right);
   std::vector<double> near;
   for (const Place& p : search.found)
@@ -118,18 +136,40 @@ std::vector<double> Crossings::conditions(const Line& line, double s, const Seen
   return near;
 }
 
-bool Crossings::may_be_off(const Line& line, double s, const Seen& left, const Seen& right,
-                           double error) const {
-  Search search{line, {}};
-  outlines(search, left, right);
-  search.add_depths(image(plane_of(left)), image(plane_of(right)));
-  return std::any_of(search.found.begin(), search.found.end(), [&](const Place& p) {
-    return std::fabs(p.s - s) <= error * p.condition;
+bool Crossings::near_depth(const Vec2& p, const Plane& a, const Plane& b, double error) const {
+  const Vec4 f = image(a), g = image(b);
+  if (f.w == 0 || g.w == 0) return false;
+  const Vec3 depth_f = Vec3(f) / -f.w, depth_g = Vec3(g) / -g.w;
+  const double steepest = glm::length(Vec2(depth_f)) + glm::length(Vec2(depth_g));
+  return std::fabs(glm::dot(depth_f - depth_g, Vec3(p, 1))) <= error * steepest + depth_error_;
+}
+
+bool Crossings::near_shadow(const Vec2& p, const Plane& receiver, double error) const {
+  const double facing = glm::dot(receiver.normal, *in_.light);
+  if (facing == 0) return false;
+  const auto shadow = [&](Index v) {
+    const Vec3& q = in_.vertices[v];
+    return image(q + *in_.light * ((receiver.offset - glm::dot(receiver.normal, q)) / facing));
+  };
+  const double reach = error / std::fabs(facing);
+  return std::any_of(in_.edges.begin(), in_.edges.end(), [&](const WingedEdge& e) {
+    return is_near(p, shadow(e.from), shadow(e.to), reach);
   });
 }
 
+bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other,
+                           double error) const {
+  if (near_depth(p, plane_of(one), plane_of(other), error)) return true;
+  for (const Seen& seen : {one, other}) {
+    if (view_.near_plane && near_depth(p, plane_of(seen), *view_.near_plane, error)) return true;
+    const bool receives = in_.light && (seen.face != kNone || in_.ground_z);
+    if (receives && near_shadow(p, plane_of(seen), error)) return true;
+  }
+  return false;
+}
+
 std::vector<Crossings::Place> Crossings::places(const Line& line, const Seen& seen) const {
-  Search search{line, {}};
+  Search search{line, depth_error_, {}};
   everything(search, seen, seen);
   std::sort(search.found.begin(), search.found.end(),
             [](const Place& a, const Place& b) { return a.s < b.s; });

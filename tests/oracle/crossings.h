@@ -6,8 +6,8 @@
 //    between the image and the scan line.
 //  - A shadow's boundary also 1 / |n.L|: light that grazes the receiver draws the shadow out.
 //  - Two planes that cross in depth: (|grad z_a| + |grad z_b|) / |d(z_a - z_b)/ds|, for a depth
-//  that
-//    is off by one grid unit's worth of slope moves the crossing by that much.
+//    that is off by one grid unit's worth of slope moves the crossing by that much. To the slopes
+//    comes what the last places of the vertices leave open, in units of kEndError.
 #include <vector>
 
 #include "core/visibility/canonical.h"
@@ -15,6 +15,12 @@
 #include "tests/oracle/oracle.h"
 
 namespace overstrike::oracle {
+
+/// What a grid position may be off by rounding (grid units).
+constexpr double kEndError = 1e-9;
+/// What a plane's depth may be off, in parts of the largest coordinate that takes part: its normal
+/// and offset come from vertices that are each rounded three times over, and are rounded in turn.
+constexpr double kDepthRounding = 16 * 0x1p-53;
 
 /// A scan line: the points origin + s * direction of the grid; the direction is of unit length.
 struct Line {
@@ -31,10 +37,10 @@ class Crossings {
   std::vector<double> conditions(const Line& line, double s, const Seen& left,
                                  const Seen& right) const;
 
-  /// True when something that may part `left` from `right` crosses the line within `error` grid
-  /// units of `s`, times its condition number.
-  bool may_be_off(const Line& line, double s, const Seen& left, const Seen& right,
-                  double error) const;
+  /// True when a point of the grid is so near to where the depths of what is seen are equal, or to
+  /// a shadow's border on it, that rounding of `error` grid units, times its condition number across
+  /// that border, takes it over.
+  bool may_be_off(const Vec2& p, const Seen& one, const Seen& other, double error) const;
 
   /// A place on a line where something may change, and its condition number.
   struct Place {
@@ -53,11 +59,14 @@ class Crossings {
   void depths(Search& search, const Plane& with) const;
   Plane plane_of(const Seen& seen) const;
   void outlines(Search& search, const Seen& left, const Seen& right) const;
+  bool near_shadow(const Vec2& p, const Plane& receiver, double error) const;
+  bool near_depth(const Vec2& p, const Plane& a, const Plane& b, double error) const;
   void everything(Search& search, const Seen& left, const Seen& right) const;
 
   const Canonical& in_;
   const View& view_;
   Mat4 planes_to_grid_;
+  double depth_error_;  ///< kDepthRounding of the scene, in depth
 };
 
 }  // namespace overstrike::oracle

@@ -260,14 +260,18 @@ void Trial::judge_at(const ScannedLine& scanned, double s) {
     fail(place(p) + "expected " + to_text(expected) + ", found " + to_text(found));
 }
 
-/// The picture is right to within kEndError: what was found is seen that near, or a crossing's own
-/// condition lets it lie here.
-bool Trial::excused(const Line& line, double s, const Seen& expected, const Seen& found) const {
+/// The picture is right to within kEndError: `what` is seen here or that near.
+bool Trial::seen_near(const Line& line, double s, const Seen& what) const {
   const Vec2 p = line.at(s), along = line.direction * kEndError, across(-along.y, along.x);
-  for (const Vec2& d : {along, -along, across, -across, along + across, along - across,
+  for (const Vec2& d : {Vec2(0), along, -along, across, -across, along + across, along - across,
                         across - along, -along - across})
-    if (oracle_at(p + d).same(found)) return true;
-  return crossings_.may_be_off(line, s, expected, found, kEndError);
+    if (oracle_at(p + d).same(what)) return true;
+  return false;
+}
+
+/// Or the border's own condition lets it lie here.
+bool Trial::excused(const Line& line, double s, const Seen& expected, const Seen& found) const {
+  return seen_near(line, s, found) || crossings_.may_be_off(line.at(s), expected, found, kEndError);
 }
 
 void Trial::judge_ends(int count) {
@@ -291,10 +295,10 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
   std::string seen;
   for (const double condition : crossings_.conditions(line, s, l, r)) {
     const double reach = kEndError * std::max(1.0, condition);
-    const Vec2 before = line.at(std::max(s - reach, (left.from + s) / 2)),
-               after = line.at(std::min(s + reach, (right.to + s) / 2));
-    const Seen was = oracle_at(before), is = oracle_at(after);
-    if (was.same(l) && is.same(r)) return;
+    const double before = std::max(s - reach, (left.from + s) / 2),
+                 after = std::min(s + reach, (right.to + s) / 2);
+    if (seen_near(line, before, l) && seen_near(line, after, r)) return;
+    const Seen was = oracle_at(line.at(before)), is = oracle_at(line.at(after));
     seen +=
         "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);
   }

@@ -14,9 +14,8 @@
 
 namespace overstrike::oracle {
 
-/// Run ends are this near to the true crossing, times its condition number (grid units).
-constexpr double kEndError = 1e-9;
-/// What is thinner than that, a run of rounding's making, is not seen at all.
+/// Run ends are within kEndError of the true crossing, times its condition number. What is
+/// thinner, a run of rounding's making, is not seen at all.
 constexpr double kThinnest = kEndError;
 /// Where light grazes a face, |n.L| below this, the condition number of its shadows (crossings.h)
 /// times kEndError is a grid unit and more: lit, shade and shadow are not told apart there.
@@ -97,6 +96,7 @@ class Trial {
   void judge_beside();
   std::vector<Crossings::Place> places(const ScannedLine& scanned);
   void judge_at(const ScannedLine& scanned, double s);
+  bool seen_near(const Line& line, double s, const Seen& what) const;
   bool excused(const Line& line, double s, const Seen& expected, const Seen& found) const;
   void judge_ends(int count);
   void judge_end(const Line& line, const Stretch& left, const Stretch& right);
