@@ -28,7 +28,6 @@ bool is_near(const Vec2& p, const Vec3& a, const Vec3& b, double reach) {
 
 struct Crossings::Search {
   const Line& line;
-  double depth_error;
   std::vector<Place> found;
 
   void add(double at, double condition) {
@@ -54,7 +53,8 @@ struct Crossings::Search {
     add(along(crossing), factor * length / std::fabs(glm::dot(Vec2(l.x, l.y), line.direction)));
   }
   /// Two planes in grid coordinates, as covectors over (x, y, w, z).
-  void add_depths(const Vec4& a, const Vec4& b) {
+  void add_depths(const Crossings& scene, const Plane& plane_a, const Plane& plane_b) {
+    const Vec4 a = scene.image(plane_a), b = scene.image(plane_b);
     if (a.w == 0 || b.w == 0) return;
     const Vec2 slope_a(-a.x / a.w, -a.y / a.w), slope_b(-b.x / b.w, -b.y / b.w);
     const Vec2 difference = slope_a - slope_b;
@@ -62,7 +62,10 @@ struct Crossings::Search {
     if (along_line == 0) return;
     const double start = -a.z / a.w + b.z / b.w + glm::dot(difference, line.origin);
     const double steepest = glm::length(slope_a) + glm::length(slope_b);
-    add(-start / along_line, (steepest + depth_error / kEndError) / std::fabs(along_line));
+    const double at = -start / along_line;
+    const double error = scene.depth_error(plane_a, line.at(at), scene.offset_error_) +
+                         scene.depth_error(plane_b, line.at(at), scene.offset_error_);
+    add(at, (steepest + error / kEndError) / std::fabs(along_line));
   }
 };
 
@@ -70,7 +73,7 @@ Crossings::Crossings(const Canonical& canonical, const View& view)
     : in_(canonical), view_(view), planes_to_grid_(glm::transpose(glm::inverse(view.matrix))) {
   double size = 0;
   for (const Vec3& p : in_.vertices) size = std::max(size, glm::length(p));
-  depth_error_ = kDepthRounding * size / view.world_per_cell;
+  offset_error_ = kOffsetRounding * size;
 }
 
 Vec3 Crossings::image(const Vec3& p) const { return Vec3(view_.matrix * Vec4(p, 1)); }
@@ -100,9 +103,14 @@ void Crossings::shadow_edges(Search& search, const Plane& receiver) const {
 
 /// Where any plane of the scene passes through this one.
 void Crossings::depths(Search& search, const Plane& with) const {
-  const Vec4 one = image(with);
-  for (const Plane& p : in_.planes) search.add_depths(one, image(p));
-  if (in_.ground_z) search.add_depths(one, image(Plane{Vec3(0, 0, 1), *in_.ground_z}));
+  for (const Plane& p : in_.planes) search.add_depths(*this, with, p);
+  if (in_.ground_z) search.add_depths(*this, with, Plane{Vec3(0, 0, 1), *in_.ground_z});
+}
+
+/// Paper and shadow on the ground lie in one plane, and so do faces of one plane identity.
+bool Crossings::same_plane(const Seen& one, const Seen& other) const {
+  if (one.face == kNone || other.face == kNone) return one.face == other.face;
+  return in_.faces[one.face].plane == in_.faces[other.face].plane;
 }
 
 Plane Crossings::plane_of(const Seen& seen) const {
@@ -126,7 +134,7 @@ void Crossings::everything(Search& search, const Seen& left, const Seen& right) 
 
 std::vector<double> Crossings::conditions(const Line& line, double s, const Seen& left,
                                           const Seen& right) const {
-  Search search{line, depth_error_, {}};
+  Search search{line, {}};
   everything(search, left, right);
   std::vector<double> near;
   for (const Place& p : search.found)
@@ -136,12 +144,46 @@ std::vector<double> Crossings::conditions(const Line& line, double s, const Seen
   return near;
 }
 
+/// How much the plane's depth at p is off when its offset is off by `error`.
+double Crossings::depth_error(const Plane& plane, const Vec2& p, double error) const {
+  const Vec4 here = image(plane), moved = image(Plane{plane.normal, plane.offset + error});
+  const auto depth = [&p](const Vec4& f) { return glm::dot(Vec3(f), Vec3(p, 1)) / -f.w; };
+  return std::fabs(depth(moved) - depth(here));
+}
+
 bool Crossings::near_depth(const Vec2& p, const Plane& a, const Plane& b, double error) const {
   const Vec4 f = image(a), g = image(b);
   if (f.w == 0 || g.w == 0) return false;
   const Vec3 depth_f = Vec3(f) / -f.w, depth_g = Vec3(g) / -g.w;
   const double steepest = glm::length(Vec2(depth_f)) + glm::length(Vec2(depth_g));
-  return std::fabs(glm::dot(depth_f - depth_g, Vec3(p, 1))) <= error * steepest + depth_error_;
+  return std::fabs(glm::dot(depth_f - depth_g, Vec3(p, 1))) <=
+         error * steepest + depth_error(a, p, offset_error_) + depth_error(b, p, offset_error_);
+}
+
+/// How far the face's vertices are from its plane: that far has welding moved the one from the
+/// others.
+double Crossings::welded_by(const CanonicalFace& face) const {
+  const Plane& plane = in_.planes[face.plane];
+  double most = 0;
+  for (Index l = face.first_loop; l < face.end_loop; ++l)
+    for (const Index v : in_.loop(l))
+      most = std::max(most, std::fabs(glm::dot(plane.normal, in_.vertices[v]) - plane.offset));
+  return most;
+}
+
+/// The body begins or ends in the near plane: whether there is anything of it to be cut hangs on
+/// whether its vertices are asked or its planes.
+bool Crossings::near_cut(const Vec2& p, Index body) const {
+  const CanonicalBody& b = in_.bodies[body];
+  const Vec4 near = image(*view_.near_plane);
+  for (Index f = b.first_face; f < b.end_face; ++f) {
+    const CanonicalFace& face = in_.faces[f];
+    const Vec4 depth = image(in_.planes[face.plane]);
+    const double apart = glm::dot(Vec3(depth) / -depth.w - Vec3(near) / -near.w, Vec3(p, 1));
+    const double error = welded_by(face) + offset_error_;
+    if (std::fabs(apart) <= 2 * depth_error(in_.planes[face.plane], p, error)) return true;
+  }
+  return false;
 }
 
 bool Crossings::near_shadow(const Vec2& p, const Plane& receiver, double error) const {
@@ -159,9 +201,10 @@ bool Crossings::near_shadow(const Vec2& p, const Plane& receiver, double error) 
 
 bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other,
                            double error) const {
-  if (near_depth(p, plane_of(one), plane_of(other), error)) return true;
+  if (!same_plane(one, other) && near_depth(p, plane_of(one), plane_of(other), error)) return true;
   for (const Seen& seen : {one, other}) {
     if (view_.near_plane && near_depth(p, plane_of(seen), *view_.near_plane, error)) return true;
+    if (seen.kind == Kind::cut && near_cut(p, seen.body)) return true;
     const bool receives = in_.light && (seen.face != kNone || in_.ground_z);
     if (receives && near_shadow(p, plane_of(seen), error)) return true;
   }
@@ -169,7 +212,7 @@ bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other,
 }
 
 std::vector<Crossings::Place> Crossings::places(const Line& line, const Seen& seen) const {
-  Search search{line, depth_error_, {}};
+  Search search{line, {}};
   everything(search, seen, seen);
   std::sort(search.found.begin(), search.found.end(),
             [](const Place& a, const Place& b) { return a.s < b.s; });

@@ -18,9 +18,9 @@ namespace overstrike::oracle {
 
 /// What a grid position may be off by rounding (grid units).
 constexpr double kEndError = 1e-9;
-/// What a plane's depth may be off, in parts of the largest coordinate that takes part: its normal
-/// and offset come from vertices that are each rounded three times over, and are rounded in turn.
-constexpr double kDepthRounding = 16 * 0x1p-53;
+/// What a plane's offset may be off, in parts of the scene's largest coordinate: it comes from
+/// vertices that are each rounded three times over, and is a rounded sum of rounded products.
+constexpr double kOffsetRounding = 16 * 0x1p-53;
 
 /// A scan line: the points origin + s * direction of the grid; the direction is of unit length.
 struct Line {
@@ -57,8 +57,12 @@ class Crossings {
   void edges(Search& search) const;
   void shadow_edges(Search& search, const Plane& receiver) const;
   void depths(Search& search, const Plane& with) const;
+  bool same_plane(const Seen& one, const Seen& other) const;
   Plane plane_of(const Seen& seen) const;
   void outlines(Search& search, const Seen& left, const Seen& right) const;
+  double depth_error(const Plane& plane, const Vec2& p, double error) const;
+  double welded_by(const CanonicalFace& face) const;
+  bool near_cut(const Vec2& p, Index body) const;
   bool near_shadow(const Vec2& p, const Plane& receiver, double error) const;
   bool near_depth(const Vec2& p, const Plane& a, const Plane& b, double error) const;
   void everything(Search& search, const Seen& left, const Seen& right) const;
@@ -66,7 +70,7 @@ class Crossings {
   const Canonical& in_;
   const View& view_;
   Mat4 planes_to_grid_;
-  double depth_error_;  ///< kDepthRounding of the scene, in depth
+  double offset_error_;  ///< kOffsetRounding of the scene, in the world
 };
 
 }  // namespace overstrike::oracle

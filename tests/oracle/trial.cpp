@@ -254,24 +254,23 @@ void Trial::judge_at(const ScannedLine& scanned, double s) {
   const bool smooth = found.body != kNone && canonical_->bodies[found.body].smooth;
   const double allowed = smooth ? kSmoothDensityError : kFlatDensityError;
   if (expected.same(found) && std::fabs(expected.density - found.density) <= allowed) return;
-  if (excused(scanned.line, s, expected, found))
+  if (!expected.same(found) && is_right(scanned.line, s, found))
     ++skipped_;
   else
     fail(place(p) + "expected " + to_text(expected) + ", found " + to_text(found));
 }
 
-/// The picture is right to within kEndError: `what` is seen here or that near.
-bool Trial::seen_near(const Line& line, double s, const Seen& what) const {
+/// `found` is right to within kEndError: it is seen here or that near, or where it would be seen a
+/// border is that near, times its condition number.
+bool Trial::is_right(const Line& line, double s, const Seen& found) const {
   const Vec2 p = line.at(s), along = line.direction * kEndError, across(-along.y, along.x);
   for (const Vec2& d : {Vec2(0), along, -along, across, -across, along + across, along - across,
-                        across - along, -along - across})
-    if (oracle_at(p + d).same(what)) return true;
+                        across - along, -along - across}) {
+    const Seen expected = oracle_at(p + d);
+    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError))
+      return true;
+  }
   return false;
-}
-
-/// Or the border's own condition lets it lie here.
-bool Trial::excused(const Line& line, double s, const Seen& expected, const Seen& found) const {
-  return seen_near(line, s, found) || crossings_.may_be_off(line.at(s), expected, found, kEndError);
 }
 
 void Trial::judge_ends(int count) {
@@ -297,7 +296,7 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
     const double reach = kEndError * std::max(1.0, condition);
     const double before = std::max(s - reach, (left.from + s) / 2),
                  after = std::min(s + reach, (right.to + s) / 2);
-    if (seen_near(line, before, l) && seen_near(line, after, r)) return;
+    if (is_right(line, before, l) && is_right(line, after, r)) return;
     const Seen was = oracle_at(line.at(before)), is = oracle_at(line.at(after));
     seen +=
         "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);

@@ -96,8 +96,7 @@ class Trial {
   void judge_beside();
   std::vector<Crossings::Place> places(const ScannedLine& scanned);
   void judge_at(const ScannedLine& scanned, double s);
-  bool seen_near(const Line& line, double s, const Seen& what) const;
-  bool excused(const Line& line, double s, const Seen& expected, const Seen& found) const;
+  bool is_right(const Line& line, double s, const Seen& found) const;
   void judge_ends(int count);
   void judge_end(const Line& line, const Stretch& left, const Stretch& right);
 
