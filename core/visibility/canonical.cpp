@@ -114,6 +114,13 @@ std::string roughly(double value) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
 }
 
+/// The loop from `start` on runs backwards, from the corner that it began with: smooth tones hang
+/// on where a loop begins, and must not change in a mirror.
+template <class T>
+void turn_round(std::vector<T>& corners, std::size_t start) {
+  std::reverse(corners.begin() + static_cast<std::ptrdiff_t>(start) + 1, corners.end());
+}
+
 class Assembler {
  public:
   Assembler(const Scene& scene, const View& view, double chord_cells,
@@ -240,7 +247,7 @@ class Assembler {
   std::span<const Index> add_loop(std::span<const Index> loop, Index first_vertex, bool mirrored) {
     const std::size_t start = out_.corners.size();
     for (const Index v : loop) out_.corners.push_back(first_vertex + v);
-    if (mirrored) std::reverse(out_.corners.begin() + start, out_.corners.end());
+    if (mirrored) turn_round(out_.corners, start);
     out_.loop_ends.push_back(static_cast<Index>(out_.corners.size()));
     return {out_.corners.data() + start, loop.size()};
   }
@@ -256,7 +263,7 @@ class Assembler {
             body.smooth && !p.corner_normals.empty() ? unit(map * p.corner_normals[i]) : Vec3(0.0);
         out_.corner_normals.push_back(given != Vec3(0.0) ? given : normals_.back());
       }
-      if (mirrored) std::reverse(out_.corner_normals.begin() + start, out_.corner_normals.end());
+      if (mirrored) turn_round(out_.corner_normals, start);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/visibility/canonical.h"
@@ -12,22 +13,35 @@
 namespace overstrike::hard {
 namespace {
 
-std::vector<std::string> warnings_asked(const std::filesystem::path& file) {
-  const std::string key = "# warns: ";
-  std::vector<std::string> asked;
+/// Calls `found` with what stands after "# key: " in comments of the file.
+template <class Found>
+void find_remarks(const std::filesystem::path& file, const std::string& key, const Found& found) {
+  const std::string start = "# " + key + ": ";
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with(key)) asked.push_back(line.substr(key.size()));
-  return asked;
+    if (line.starts_with(start)) found(line.substr(start.size()));
+}
+
+std::vector<std::string> split_at_commas(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream in(list);
+  for (std::string part; std::getline(in >> std::ws, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+Case read_case(const std::filesystem::path& file) {
+  Case c{file.stem().string(), read_scene(file).scene, {}, {}};
+  find_remarks(file, "warns", [&c](const std::string& text) { c.warns.push_back(text); });
+  find_remarks(file, "apart", [&c](const std::string& list) { c.apart = split_at_commas(list); });
+  find_remarks(file, "finest", [&c](const std::string& number) { c.finest = std::stod(number); });
+  return c;
 }
 
 std::vector<Case> read_all() {
   std::vector<Case> cases;
   const auto folder = std::filesystem::path(OVERSTRIKE_SOURCE_DIR) / "tests" / "hard";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto& path = entry.path();
-    if (path.extension() != ".yaml") continue;
-    cases.push_back({path.stem().string(), read_scene(path).scene, warnings_asked(path)});
+    if (entry.path().extension() == ".yaml") cases.push_back(read_case(entry.path()));
   }
   std::sort(cases.begin(), cases.end(),
             [](const Case& a, const Case& b) { return a.name < b.name; });

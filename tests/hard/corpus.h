@@ -20,6 +20,11 @@ struct Case {
   Scene scene;
   /// What a line "# warns: text" of the file asks for: a warning that contains the text.
   std::vector<std::string> warns;
+  /// What a line "# apart: name, name" names: flawed bodies, whose damage is theirs alone.
+  std::vector<std::string> apart;
+  /// The finest detail that the picture hangs on, in sizes of the scene ("# finest: 1e-12"): a pose
+  /// that rounds coarser is another picture.
+  double finest = 1e-3;
 };
 
 /// Every case, in order of name.

@@ -44,24 +44,6 @@ class Walk {
   std::size_t next_ = 0;
 };
 
-void compare_line(const std::vector<DensityRun>& a, const std::vector<DensityRun>& b,
-                  std::size_t line, double density_error, Mismatch& sum) {
-  std::set<double> ends;
-  for (const auto* runs : {&a, &b})
-    for (const DensityRun& r : *runs) ends.insert(r.x0), ends.insert(r.x1);
-  Walk walk_a(a), walk_b(b);
-  double from = ends.empty() ? 0 : *ends.begin(), wide = 0;
-  for (const double to : ends) {
-    if (to == from) continue;
-    const double middle = from + (to - from) / 2;
-    const bool differs = std::fabs(walk_a.at(middle) - walk_b.at(middle)) > density_error;
-    wide = differs ? wide + (to - from) : 0;
-    if (differs) sum.length += to - from;
-    if (wide > sum.widest) sum.widest = wide, sum.line = line, sum.at = middle;
-    from = to;
-  }
-}
-
 }  // namespace
 
 std::vector<Subject> subjects(const Sample& sample) {
@@ -121,12 +103,26 @@ std::string first_difference(const std::vector<float>& a, const std::vector<floa
   return {};
 }
 
-Mismatch mismatch(const Runs& a, const Runs& b, double density_error) {
-  Mismatch sum;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    compare_line(a[i], b[i], i, density_error, sum);
-  if (a.size() != b.size()) sum.length = sum.widest = INFINITY;
-  return sum;
+std::vector<Stretch> differences(const std::vector<DensityRun>& a, const std::vector<DensityRun>& b,
+                                 double density_error) {
+  std::set<double> ends;
+  for (const auto* runs : {&a, &b})
+    for (const DensityRun& r : *runs) ends.insert(r.x0), ends.insert(r.x1);
+  Walk walk_a(a), walk_b(b);
+  std::vector<Stretch> found;
+  double from = ends.empty() ? 0 : *ends.begin();
+  for (const double to : ends) {
+    if (to == from) continue;
+    const double middle = from + (to - from) / 2;
+    if (std::fabs(walk_a.at(middle) - walk_b.at(middle)) > density_error) {
+      if (!found.empty() && found.back().to == from)
+        found.back().to = to;
+      else
+        found.push_back({from, to});
+    }
+    from = to;
+  }
+  return found;
 }
 
 void expect_law(const std::vector<Subject>& all, const std::string& law,

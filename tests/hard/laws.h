@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/drawing.h"
+#include "core/visibility/canonical.h"
+#include "core/visibility/view.h"
 #include "tests/hard/corpus.h"
 
 namespace overstrike::hard {
@@ -34,14 +36,12 @@ std::vector<float> cells_of(Drawing& drawing);
 std::string first_difference(const Runs& a, const Runs& b);
 std::string first_difference(const std::vector<float>& a, const std::vector<float>& b);
 
-/// The part of `a`'s lines, in grid units, on which its densities are not `b`'s.
-struct Mismatch {
-  double length = 0;  ///< in all
-  double widest = 0;
-  std::size_t line = 0;  ///< of the widest
-  double at = 0;
+/// Where the densities of two lines differ by more than `density_error`, from left to right.
+struct Stretch {
+  double from, to;
 };
-Mismatch mismatch(const Runs& a, const Runs& b, double density_error);
+std::vector<Stretch> differences(const std::vector<DensityRun>& a, const std::vector<DensityRun>& b,
+                                 double density_error);
 
 /// Every subject that breaks the law is reported; the law says what it found, or nothing.
 void expect_law(const std::vector<Subject>& all, const std::string& law,
