@@ -42,15 +42,13 @@ void aim_from(CameraFrame& frame, const Direction& from, const Vec3& up) {
 }
 
 /// Of a unit cube round zero when they are empty.
-Vec3 middle_of(const Bounds& b) {
-  return b.empty() ? Vec3(0.0) : b.low + (b.high - b.low) * 0.5;
-}
+Vec3 middle_of(const Bounds& b) { return b.empty() ? Vec3(0.0) : b.low + (b.high - b.low) * 0.5; }
 
 /// See stage_of.
 constexpr double kOriginStep = 0x1p-20;
 
-/// To a multiple of kOriginStep of the power of two not below `size`; as it is where a double has no
-/// such places, or where that is no number.
+/// To a multiple of kOriginStep of the power of two not below `size`; as it is where a double has
+/// no such places, or where that is no number.
 Vec3 rounded(const Vec3& p, double size) {
   const double step = std::ldexp(kOriginStep, std::ilogb(size) + 1);
   if (!(size > 0) || !std::isfinite(step)) return p;

@@ -74,7 +74,8 @@ double placed_error(const Polyhedron& p, const Affine& placement, const Vec3& or
   for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
   const Mat3 size(glm::abs(placement.linear[0]), glm::abs(placement.linear[1]),
                   glm::abs(placement.linear[2]));
-  const double rounding = max_norm(size * reach + glm::abs(placement.offset) + glm::abs(origin)) * 0x1p-53;
+  const double rounding =
+      max_norm(size * reach + glm::abs(placement.offset) + glm::abs(origin)) * 0x1p-53;
   return kPlacementRoundings * rounding + max_norm(size * Vec3(precision));
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // The canonical input of a view: what the resolver and the oracle both start from.
 //
-// Doubles for vertices, counted from the view's origin, faces with a plane identity, winged edges. A face *is* its projected
-// outline with its stored plane's depth (rounded vertices are never quite coplanar). Which faces
-// share a plane is decided here, once, and nowhere later.
+// Doubles for vertices, counted from the view's origin, faces with a plane identity, winged edges.
+// A face *is* its projected outline with its stored plane's depth (rounded vertices are never quite
+// coplanar). Which faces share a plane is decided here, once, and nowhere later.
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -53,6 +53,9 @@ constexpr Awaited kAwaited[] = {
     {"oracle", "t-junctions"},
     {"oracle", "whole-numbers"},
     {"oracle", "wide-angle-among-bodies"},
+    {"welding", "edge-on-to-light"},
+    {"welding", "no-light-between-glued"},
+    {"welding", "shadow-edge-on-edge"},
 };
 
 inline bool is_awaited(std::string_view law, std::string_view name) {

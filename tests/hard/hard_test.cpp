@@ -56,9 +56,10 @@ std::vector<Variant> poses_for(const Case& hard, std::size_t faces) {
 
 void expect_warnings(const Case& hard, const std::vector<Diagnostic>& warnings) {
   for (const std::string& text : hard.warns)
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [&](const Diagnostic& d) {
-      return d.message.find(text) != std::string::npos;
-    })) << hard.name << ": no warning says '" << text << "'";
+    EXPECT_TRUE(
+        std::any_of(warnings.begin(), warnings.end(),
+                    [&](const Diagnostic& d) { return d.message.find(text) != std::string::npos; }))
+        << hard.name << ": no warning says '" << text << "'";
   if (!hard.warns.empty()) return;
   for (const Diagnostic& d : warnings) ADD_FAILURE() << hard.name << " warns: " << d.message;
 }

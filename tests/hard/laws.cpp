@@ -69,9 +69,8 @@ Drawing drawn(const Scene& scene, int threads, const Grid& grid) {
 
 Runs runs_of(Drawing& drawing, const ScanFamily& family) {
   Runs lines;
-  drawing.runs(family, [&](const RunRow& row) {
-    lines.emplace_back(row.runs.begin(), row.runs.end());
-  });
+  drawing.runs(family,
+               [&](const RunRow& row) { lines.emplace_back(row.runs.begin(), row.runs.end()); });
   return lines;
 }
 
@@ -99,7 +98,8 @@ std::string first_difference(const Runs& a, const Runs& b) {
 std::string first_difference(const std::vector<float>& a, const std::vector<float>& b) {
   if (a.size() != b.size()) return "other numbers of cells";
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::memcmp(&a[i], &b[i], sizeof a[i]) != 0) return "cell " + std::to_string(i) + " differs";
+    if (std::memcmp(&a[i], &b[i], sizeof a[i]) != 0)
+      return "cell " + std::to_string(i) + " differs";
   return {};
 }
 

@@ -78,7 +78,8 @@ TEST(Law, PowersOfTwoChangeNoBit) {
   expect_law(all(), "scale", [](const Scene& scene) {
     const Runs as_it_is = picture_of(scene);
     for (const int power : {1, -3, 30, -30, 101}) {
-      const std::string what = first_difference(as_it_is, picture_of(scaled(scene, std::ldexp(1, power))));
+      const std::string what =
+          first_difference(as_it_is, picture_of(scaled(scene, std::ldexp(1, power))));
       if (!what.empty()) return "by 2^" + std::to_string(power) + ": " + what;
     }
     return std::string();
@@ -214,9 +215,10 @@ TEST(Law, ThreadsChangeNoBit) {
     if (what.empty()) what = first_difference(cells_of(one), cells_of(many));
     if (!what.empty()) return what;
     const auto a = one.strokes({}), b = many.strokes({});
-    const bool same = std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Stroke& s, const Stroke& t) {
-      return s.points == t.points && s.kind == t.kind && s.body == t.body;
-    });
+    const bool same =
+        std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Stroke& s, const Stroke& t) {
+          return s.points == t.points && s.kind == t.kind && s.body == t.body;
+        });
     return std::string(same ? "" : "strokes differ");
   });
 }

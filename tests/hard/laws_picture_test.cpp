@@ -80,8 +80,7 @@ TEST(Law, TheOrderOfFacesHasNoSay) {
 TEST(Law, WhereFacesBeginHasNoSay) {
   expect_law(flawless(), "renumbered", [](const Scene& scene) {
     const SamePicture picture(with_meshes(scene, as_they_are));
-    return picture.difference(runs_of(with_meshes(scene, renumbered), kOddRows),
-                              oracle::kEndError);
+    return picture.difference(runs_of(with_meshes(scene, renumbered), kOddRows), oracle::kEndError);
   });
 }
 
@@ -107,8 +106,7 @@ TEST(Law, MirroredScenesGiveMirroredPictures) {
 TEST(Law, CuttingFacesChangesNothing) {
   expect_law(flawless(), "cut faces", [](const Scene& scene) {
     const SamePicture picture(with_meshes(scene, as_they_are));
-    return picture.difference(runs_of(with_meshes(scene, subdivided), kOddRows),
-                              oracle::kEndError);
+    return picture.difference(runs_of(with_meshes(scene, subdivided), kOddRows), oracle::kEndError);
   });
 }
 

@@ -31,7 +31,8 @@ double SamePicture::magnification() const {
   double least_w = 1;
   for (const Vec3& p : canonical_->vertices) {
     const double w = (view_.matrix * Vec4(p, 1)).z;
-    const bool kept = !view_.near_plane || glm::dot(view_.near_plane->normal, p) >= view_.near_plane->offset;
+    const bool kept =
+        !view_.near_plane || glm::dot(view_.near_plane->normal, p) >= view_.near_plane->offset;
     if (w > 0 && kept) least_w = std::min(least_w, w);
   }
   return 1 / (view_.world_per_cell * least_w);

@@ -1,5 +1,6 @@
 #pragma once
-// One hard case in another pose: turned, scaled and moved as a whole, with camera, light and ground.
+// One hard case in another pose: turned, scaled and moved as a whole, with camera, light and
+// ground.
 #include <string>
 #include <vector>
 

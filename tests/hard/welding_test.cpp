@@ -48,8 +48,8 @@ TEST(Welding, EveryPoseIsThePictureAsItStands) {
     const Case& c = *hard++;
     const SamePicture picture(scene);
     for (const Variant& pose : poses_for(c)) {
-      const double error = oracle::kEndError +
-                           rounding_of(pose) * size_of(scene) * picture.magnification();
+      const double error =
+          oracle::kEndError + rounding_of(pose) * size_of(scene) * picture.magnification();
       const std::string what = picture.difference(runs_of(posed(scene, pose), kOddRows), error);
       if (!what.empty()) return describe(pose) + ": " + what;
     }
@@ -98,9 +98,11 @@ void expect_named(const Case& hard) {
   std::vector<Diagnostic> warnings;
   canonicalize(hard.scene, make_view(hard.scene, kGrid), kTolerance, warnings);
   for (const std::string& name : hard.apart)
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [&name](const Diagnostic& d) {
-      return d.message.find("'" + name + "'") != std::string::npos;
-    })) << hard.name << ": no warning names '" << name << "'";
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                            [&name](const Diagnostic& d) {
+                              return d.message.find("'" + name + "'") != std::string::npos;
+                            }))
+        << hard.name << ": no warning names '" << name << "'";
 }
 
 TEST(Flaws, DamageIsBoundedAndNamed) {

@@ -31,7 +31,8 @@ struct Crossings::Search {
   std::vector<Place> found;
 
   void add(double at, double condition) {
-    if (std::isfinite(at) && std::isfinite(condition)) found.push_back({at, std::max(1.0, condition)});
+    if (std::isfinite(at) && std::isfinite(condition))
+      found.push_back({at, std::max(1.0, condition)});
   }
   /// How far a homogeneous grid point (x^, y^, w^) lies across the line, times w^.
   double across(const Vec3& p) const {
@@ -199,8 +200,7 @@ bool Crossings::near_shadow(const Vec2& p, const Plane& receiver, double error) 
   });
 }
 
-bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other,
-                           double error) const {
+bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other, double error) const {
   if (!same_plane(one, other) && near_depth(p, plane_of(one), plane_of(other), error)) return true;
   for (const Seen& seen : {one, other}) {
     if (view_.near_plane && near_depth(p, plane_of(seen), *view_.near_plane, error)) return true;

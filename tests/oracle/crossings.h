@@ -38,8 +38,8 @@ class Crossings {
                                  const Seen& right) const;
 
   /// True when a point of the grid is so near to where the depths of what is seen are equal, or to
-  /// a shadow's border on it, that rounding of `error` grid units, times its condition number across
-  /// that border, takes it over.
+  /// a shadow's border on it, that rounding of `error` grid units, times its condition number
+  /// across that border, takes it over.
   bool may_be_off(const Vec2& p, const Seen& one, const Seen& other, double error) const;
 
   /// A place on a line where something may change, and its condition number.

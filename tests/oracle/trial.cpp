@@ -82,8 +82,7 @@ std::vector<Stretch> ScannedLine::stretches() const {
 namespace {
 
 std::shared_ptr<const Canonical> canonical_of(const Scene& scene, const View& view,
-                                              double tolerance,
-                                              std::vector<Diagnostic>& warnings) {
+                                              double tolerance, std::vector<Diagnostic>& warnings) {
   return std::make_shared<const Canonical>(canonicalize(scene, view, tolerance, warnings));
 }
 
