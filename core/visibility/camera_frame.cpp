@@ -41,43 +41,77 @@ void aim_from(CameraFrame& frame, const Direction& from, const Vec3& up) {
   }
 }
 
+/// Of a unit cube round zero when they are empty.
+Vec3 middle_of(const Bounds& b) { return b.empty() ? Vec3(0.0) : b.low + (b.high - b.low) * 0.5; }
+
+/// See stage_of.
+constexpr double kOriginStep = 0x1p-20;
+
+/// To a multiple of kOriginStep of the power of two not below `size`; as it is where a double has
+/// no such places, or where that is no number.
+Vec3 rounded(const Vec3& p, double size) {
+  const double step = std::ldexp(kOriginStep, std::ilogb(size) + 1);
+  if (!(size > 0) || !std::isfinite(step)) return p;
+  const Vec3 q = glm::roundEven(p / step) * step;
+  return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) ? q : p;
+}
+
+std::optional<Vec3> from(const std::optional<Vec3>& p, const Vec3& origin) {
+  return p ? std::optional(*p - origin) : std::nullopt;
+}
+
 }  // namespace
 
-Bounds scene_bounds(const Scene& scene) {
+Bounds scene_bounds(const Scene& scene, const Vec3& origin) {
   Bounds all;
   for (const Body& body : scene.bodies) {
     if (body.shape == nullptr) continue;
-    const Bounds b = bounds(*body.shape, body.placement);
+    const Affine placement = from_origin(body.placement, origin);
+    const Bounds b = bounds(*body.shape, placement);
     if (!b.empty()) all.add(b.low), all.add(b.high);
     for (const Pattern& pattern : body.patterns)
-      for (const Vec3& p : pattern.points) all.add(body.placement(p));
+      for (const Vec3& p : pattern.points) all.add(placement(p));
   }
-  for (const Segment& s : scene.segments) all.add(s.from), all.add(s.to);
+  for (const Segment& s : scene.segments) all.add(s.from - origin), all.add(s.to - origin);
   return all;
 }
 
-CameraFrame camera_frame(const Camera& camera, const Bounds& bounds) {
+Stage stage_of(const Scene& scene) {
+  const Bounds world = scene_bounds(scene);
+  const Camera& camera = scene.camera;
+  Vec3 origin = middle_of(world);
+  if (camera.eye ? camera.target : camera.look_at)
+    origin = camera.eye ? *camera.target : *camera.look_at;
+  const double size = world.empty() ? 1 : max_norm(world.high - world.low);
+  origin = rounded(origin, size);
+  return {origin, origin == Vec3(0.0) ? world : scene_bounds(scene, origin)};
+}
+
+CameraFrame camera_frame(const Camera& camera, const Stage& stage) {
+  const Bounds& bounds = stage.bounds;
   const Vec3 low = bounds.empty() ? Vec3(-0.5) : bounds.low;
   const Vec3 high = bounds.empty() ? Vec3(0.5) : bounds.high;
-  const Vec3 middle = low + (high - low) * 0.5;
+  const Vec3 middle = middle_of(bounds);
   const Vec3 extent = high - low;
   const double diameter = std::sqrt(glm::dot(extent, extent));
 
   CameraFrame frame{};
+  frame.origin = stage.origin;
   frame.parallel = camera.parallel;
   frame.distance = camera.distance.value_or(kDefaultDiameters * diameter);
   if (!(frame.distance > 0)) frame.distance = 1;
-  frame.target = camera.eye ? camera.target.value_or(middle) : camera.look_at.value_or(middle);
-  if (camera.eye && *camera.eye != frame.target) {
-    const Vec3 back = *camera.eye - frame.target;
-    frame.eye = *camera.eye;
+  const std::optional<Vec3> eye = from(camera.eye, stage.origin);
+  frame.target = from(camera.eye ? camera.target : camera.look_at, stage.origin).value_or(middle);
+  if (eye && *eye != frame.target) {
+    const Vec3 back = *eye - frame.target;
+    frame.eye = *eye;
     frame.distance = std::sqrt(glm::dot(back, back));
     frame.back = unit(back);
     aim(frame, camera.up);
   } else {
     aim_from(frame, camera.from, camera.up);
-    if (camera.eye) frame.target = *camera.eye - frame.back * frame.distance;
-    frame.eye = camera.eye.value_or(frame.target + frame.back * frame.distance);
+    if (eye) frame.target = *eye - frame.back * frame.distance;
+    frame.eye = eye.value_or(frame.target + frame.back * frame.distance);
   }
   frame.near_distance = camera.near_distance.value_or(frame.distance * kDefaultNear);
   return frame;

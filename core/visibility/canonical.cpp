@@ -11,6 +11,7 @@
 #include "core/geometry/direction.h"
 #include "core/geometry/tessellate.h"
 #include "core/geometry/weld_planes.h"
+#include "core/visibility/camera_frame.h"
 #include "core/visibility/prepare_shape.h"
 #include "core/visibility/view.h"
 
@@ -65,13 +66,16 @@ double chord_of(const Body& body, const View& view, double chord_cells) {
 /// shape's own vertices and the placing itself stay below this many units of 2^-53.
 constexpr double kPlacementRoundings = 72;
 
-/// How far a placed vertex may be from where it was meant.
-double placed_error(const Polyhedron& p, const Affine& placement, double precision) {
+/// How far a placed vertex may be from where it was meant. The placement is from the origin; in the
+/// world, where it was rounded, it reaches no farther than both together.
+double placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
+                    double precision) {
   Vec3 reach(0.0);
   for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
   const Mat3 size(glm::abs(placement.linear[0]), glm::abs(placement.linear[1]),
                   glm::abs(placement.linear[2]));
-  const double rounding = max_norm(size * reach + glm::abs(placement.offset)) * 0x1p-53;
+  const double rounding =
+      max_norm(size * reach + glm::abs(placement.offset) + glm::abs(origin)) * 0x1p-53;
   return kPlacementRoundings * rounding + max_norm(size * Vec3(precision));
 }
 
@@ -111,14 +115,22 @@ std::string roughly(double value) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
 }
 
+/// The loop from `start` on runs backwards, from the corner that it began with: smooth tones hang
+/// on where a loop begins, and must not change in a mirror.
+template <class T>
+void turn_round(std::vector<T>& corners, std::size_t start) {
+  std::reverse(corners.begin() + static_cast<std::ptrdiff_t>(start) + 1, corners.end());
+}
+
 class Assembler {
  public:
   Assembler(const Scene& scene, const View& view, double chord_cells,
             std::vector<Diagnostic>& warnings)
       : scene_(scene), view_(view), chord_cells_(chord_cells), warnings_(warnings) {
-    out_.segments = scene.segments;
+    for (const Segment& s : scene.segments)
+      out_.segments.push_back({s.from - view.origin, s.to - view.origin, s.pen});
     out_.law = scene.law;
-    out_.ground_z = scene.ground_z;
+    if (scene.ground_z) out_.ground_z = *scene.ground_z - view.origin.z;
     if (scene.light) out_.light = unit_vector(*scene.light);
   }
 
@@ -158,7 +170,8 @@ class Assembler {
   }
 
   void add(Index source) {
-    const Body& body = scene_.bodies[source];
+    Body body = scene_.bodies[source];
+    body.placement = from_origin(body.placement, view_.origin);
     if (!finite(body.placement)) return warn(body, "its place is not finite: not drawn");
     const PreparedShape& shape = prepared(body);
     for (const std::string& flaw : shape.flaws) warn(body, flaw);
@@ -205,7 +218,7 @@ class Assembler {
   void add_faces(const PreparedShape& shape, const CanonicalBody& body, const Body& source,
                  bool mirrored) {
     const Polyhedron& p = shape.polyhedron;
-    const double error = placed_error(p, source.placement, shape.precision);
+    const double error = placed_error(p, source.placement, view_.origin, shape.precision);
     std::map<Index, Index> sample_of_group;
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};
@@ -238,7 +251,7 @@ class Assembler {
   std::span<const Index> add_loop(std::span<const Index> loop, Index first_vertex, bool mirrored) {
     const std::size_t start = out_.corners.size();
     for (const Index v : loop) out_.corners.push_back(first_vertex + v);
-    if (mirrored) std::reverse(out_.corners.begin() + start, out_.corners.end());
+    if (mirrored) turn_round(out_.corners, start);
     out_.loop_ends.push_back(static_cast<Index>(out_.corners.size()));
     return {out_.corners.data() + start, loop.size()};
   }
@@ -254,7 +267,7 @@ class Assembler {
             body.smooth && !p.corner_normals.empty() ? unit(map * p.corner_normals[i]) : Vec3(0.0);
         out_.corner_normals.push_back(given != Vec3(0.0) ? given : normals_.back());
       }
-      if (mirrored) std::reverse(out_.corner_normals.begin() + start, out_.corner_normals.end());
+      if (mirrored) turn_round(out_.corner_normals, start);
     }
   }
 

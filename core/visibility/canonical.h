@@ -1,9 +1,9 @@
 #pragma once
 // The canonical input of a view: what the resolver and the oracle both start from.
 //
-// Doubles for world vertices, faces with a plane identity, winged edges. A face *is* its projected
-// outline with its stored plane's depth (rounded vertices are never quite coplanar). Which faces
-// share a plane is decided here, once, and nowhere later.
+// Doubles for vertices, counted from the view's origin, faces with a plane identity, winged edges.
+// A face *is* its projected outline with its stored plane's depth (rounded vertices are never quite
+// coplanar). Which faces share a plane is decided here, once, and nowhere later.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -61,7 +61,7 @@ struct CanonicalPattern {
 };
 
 struct Canonical {
-  std::vector<Vec3> vertices;        ///< world
+  std::vector<Vec3> vertices;        ///< from View::origin, as all positions here are
   std::vector<Index> corners;        ///< vertex numbers, loop after loop
   std::vector<Vec3> corner_normals;  ///< world, unit (shorter where a cut made the corner); empty
                                      ///< when no body is smooth, else one per corner

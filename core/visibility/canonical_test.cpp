@@ -109,6 +109,7 @@ TEST(Canonical, ABox) {
 
 TEST(Canonical, MirroredBodiesAreNotInsideOut) {
   Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
   Mat3 mirror(1.0);
   mirror[0][0] = -2;
   scene.bodies.push_back(body(shape(Box{}), {mirror, {0, 0, 0}}));
@@ -237,6 +238,7 @@ TEST(Canonical, TellsWhatToleranceWasReached) {
 
 TEST(Canonical, FlattenedBodiesKeepTheFacesThatHaveAnArea) {
   Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
   Mat3 press(1.0);
   press[2][2] = 0;
   scene.bodies.push_back(body(shape(Box{}), {press, {0, 0, 1}}));
@@ -252,6 +254,7 @@ TEST(Canonical, FlattenedBodiesKeepTheFacesThatHaveAnArea) {
 
 TEST(Canonical, PatternsAndSegmentsArePlaced) {
   Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
   scene.bodies.push_back(body(shape(Box{}), {Mat3(2.0), {1, 0, 0}}));
   scene.bodies[0].patterns.push_back({{{0, 0, 1}, {0.25, 0, 1}}, 3});
   scene.segments.push_back({{0, 0, 0}, {1, 1, 1}, 2});
@@ -286,6 +289,7 @@ TEST(Clip, HalvesAddUpAndStayClosed) {
 
 TEST(Clip, CapsAreCutFacesThatLookToTheRemovedSide) {
   Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
   scene.bodies.push_back(body(shape(Box{})));
   scene.bodies.push_back(body(shape(Box{}), {Mat3(1.0), {0, 0, 5}}));
   scene.bodies.push_back(body(shape(Box{}), {Mat3(1.0), {0, 0, -5}}));

@@ -17,16 +17,16 @@ constexpr double kChordOfSize = 1.0 / 4096;
 
 bool sees_ground_from_above(const Scene& scene, const CameraFrame& frame) {
   if (!scene.ground_z) return false;
-  return frame.parallel ? frame.back.z > 0 : frame.eye.z > *scene.ground_z;
+  return frame.parallel ? frame.back.z > 0 : frame.eye.z > *scene.ground_z - frame.origin.z;
 }
 
-/// Grows a window by world points and their shadows.
+/// Grows a window by points, counted from the frame's origin, and their shadows.
 class Fitter {
  public:
   /// With `above_only`, what lies under the ground does not count.
   Fitter(const Scene& scene, const CameraFrame& frame, bool above_only) : frame_(frame) {
     if (!sees_ground_from_above(scene, frame)) return;
-    ground_ = *scene.ground_z;
+    ground_ = *scene.ground_z - frame.origin.z;
     above_only_ = above_only;
     if (!scene.light || !(scene.light->elevation_deg >= kLowestFittedLight)) return;
     const Vec3 light = unit_vector(*scene.light);
@@ -92,6 +92,7 @@ class Fitter {
     return true;
   }
 
+  const Vec3& origin() const { return frame_.origin; }
   bool fits() const { return fits_; }
   const Window& window() const { return window_; }
 
@@ -131,13 +132,15 @@ void add_pattern(Fitter& fitter, const Pattern& pattern, const Affine& placement
 }
 
 std::optional<Window> window_of(const Scene& scene, Fitter fitter, Outlines& outlines) {
-  for (const Segment& s : scene.segments) fitter.add_line(s.from, s.to);
+  const Vec3& origin = fitter.origin();
+  for (const Segment& s : scene.segments) fitter.add_line(s.from - origin, s.to - origin);
   for (const Body& body : scene.bodies) {
     if (body.shape == nullptr) continue;
-    for (const Pattern& pattern : body.patterns) add_pattern(fitter, pattern, body.placement);
-    const Bounds box = bounds(*body.shape, body.placement);
+    const Affine placement = from_origin(body.placement, origin);
+    for (const Pattern& pattern : body.patterns) add_pattern(fitter, pattern, placement);
+    const Bounds box = bounds(*body.shape, placement);
     if (box.empty() || fitter.covers(box)) continue;
-    fitter.add(outlines.of(body.shape), body.placement);
+    fitter.add(outlines.of(body.shape), placement);
   }
   if (!fitter.fits()) return std::nullopt;
   return fitter.window();

@@ -94,15 +94,16 @@ Mat4 matrix_of(const CameraFrame& frame, const Scale& scale, double world_per_ce
 
 View make_view(const Scene& scene, const Grid& grid, double margin) {
   const FloatEnvironment ours;
-  const Bounds bounds = scene_bounds(scene);
-  const CameraFrame frame = camera_frame(scene.camera, bounds);
+  const Stage stage = stage_of(scene);
+  const CameraFrame frame = camera_frame(scene.camera, stage);
   const Scale scale = choose_scale(scene, grid, frame, margin);
 
   View view;
+  view.origin = stage.origin;
   view.grid = grid;
   view.perspective = !frame.parallel;
   view.world_per_cell = 1 / std::fmax(scale.x, scale.y);
-  view.matrix = matrix_of(frame, scale, view.world_per_cell, zero_depth(frame, bounds));
+  view.matrix = matrix_of(frame, scale, view.world_per_cell, zero_depth(frame, stage.bounds));
   view.eye = frame.parallel ? Vec4(frame.back, 0) : Vec4(frame.eye, 1);
   if (view.perspective || scene.camera.near_distance)
     view.near_plane = Plane{-frame.back, frame.near_distance - glm::dot(frame.back, frame.eye)};

@@ -8,11 +8,15 @@
 
 namespace overstrike {
 
+/// Positions are counted from `origin`, a point near the scene's middle, so that a scene far from
+/// the world's zero keeps its last places: a view and a canonical input know no others.
+///
 /// (x^, y^, w^, z^) = matrix * (X, Y, Z, 1); grid x = x^/w^, y = y^/w^, depth z = z^/w^: larger is
 /// nearer. w^ > 0 in front of the eye; in a parallel view w^ = 1. Depth is projective: planes stay
 /// planes, so that depth is linear in x and y on every face (NN74 (1)(2) brought to homogeneous
 /// form).
 struct View {
+  Vec3 origin{0.0};  ///< in the world
   Mat4 matrix{1.0};
   Grid grid;
   bool perspective = false;
@@ -24,7 +28,7 @@ struct View {
   /// World length that makes about one grid unit at the depth of the target.
   double world_per_cell = 1;
 
-  /// x, y, z (depth); precondition: w^ > 0.
+  /// x, y, z (depth) of a point counted from the origin; precondition: w^ > 0.
   Vec3 project(const Vec3& p) const {
     const Vec4 h = matrix * Vec4(p, 1.0);
     return Vec3(h.x / h.z, h.y / h.z, h.w / h.z);

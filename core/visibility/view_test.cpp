@@ -26,6 +26,9 @@ Scene boxes(int count, unsigned seed) {
   return scene;
 }
 
+/// Where a point of the world is seen.
+Vec3 grid_point(const View& view, const Vec3& p) { return view.project(p - view.origin); }
+
 /// What the bodies' vertices cover in the grid.
 struct Extent {
   Vec2 low{1e300}, high{-1e300};
@@ -35,7 +38,7 @@ Extent extent_of(const Scene& scene, const View& view, double chord = 0.001) {
   Extent extent;
   for (const Body& body : scene.bodies)
     for (const Vec3& p : tessellate(*body.shape, chord, false).vertices)
-      extent.add(view.project(body.placement(p)));
+      extent.add(grid_point(view, body.placement(p)));
   return extent;
 }
 
@@ -69,10 +72,10 @@ TEST(View, IsNishitaAndNakamaesProjection) {
     const double z =
         std::cos(t) * std::cos(f) * q.x + std::sin(t) * std::cos(f) * q.y + std::sin(f) * q.z;
     const double shrink = distance / (distance - z);
-    const Vec3 seen = view.project(p);
+    const Vec3 seen = grid_point(view, p);
     EXPECT_NEAR(seen.x, 50 + x * shrink * 25, 1e-12);
     EXPECT_NEAR(seen.y, 30 - y * shrink * 25 * 2 / 3, 1e-12);
-    EXPECT_NEAR(view.eye.x, centre.x + distance * std::cos(t) * std::cos(f), 1e-14);
+    EXPECT_NEAR(view.eye.x + view.origin.x, centre.x + distance * std::cos(t) * std::cos(f), 1e-14);
     EXPECT_EQ(view.world_per_cell, 4.0 / 100);
   }
 }
@@ -85,15 +88,15 @@ TEST(View, AxisAlignedViewsAreExact) {
   scene.camera.parallel = true;
   scene.camera.window_width = 16;
   const View front = make_view(scene, {16, 16, 1, 1});
-  EXPECT_EQ(front.project({1, 2, 3}), Vec3(8, 8, 0));
-  EXPECT_EQ(front.project({2, 1, 5}).x, 9);
-  EXPECT_EQ(front.project({2, 1, 5}).y, 6);
+  EXPECT_EQ(grid_point(front, {1, 2, 3}), Vec3(8, 8, 0));
+  EXPECT_EQ(grid_point(front, {2, 1, 5}).x, 9);
+  EXPECT_EQ(grid_point(front, {2, 1, 5}).y, 6);
   EXPECT_EQ(front.eye, Vec4(0, -1, 0, 0));
   EXPECT_FALSE(front.near_plane);
   scene.camera.from = {-90, 90};
   const View top = make_view(scene, {16, 16, 1, 1});
-  EXPECT_EQ(Vec2(top.project({2, 1, 5})), Vec2(9, 9));
-  EXPECT_GT(top.project({0, 0, 5}).z, top.project({0, 0, 4}).z);
+  EXPECT_EQ(Vec2(grid_point(top, {2, 1, 5})), Vec2(9, 9));
+  EXPECT_GT(grid_point(top, {0, 0, 5}).z, grid_point(top, {0, 0, 4}).z);
 }
 
 TEST(View, DepthGrowsTowardsTheEye) {
@@ -104,7 +107,7 @@ TEST(View, DepthGrowsTowardsTheEye) {
     const Vec3 towards = unit_vector(scene.camera.from);
     double last = -1e300;
     for (double t = -5; t < 5; t += 0.5) {
-      const double z = view.project(towards * t).z;
+      const double z = grid_point(view, towards * t).z;
       EXPECT_GT(z, last);
       last = z;
     }
@@ -152,7 +155,7 @@ TEST(View, HighLightFitsTheShadowsTooAndLowLightDoesNot) {
     scene.light = Direction{180, elevation};
     const View view = make_view(scene, grid);
     const double reach = 4 / std::tan(elevation * M_PI / 180);
-    return view.project({0.5 + reach, -0.5, 0}).x;
+    return grid_point(view, {0.5 + reach, -0.5, 0}).x;
   };
   EXPECT_NEAR(shadow_end(30), 98, 1e-9);
   EXPECT_NEAR(shadow_end(20), 98, 1e-9);
@@ -181,7 +184,7 @@ TEST(View, AFitLeavesOutWhatTheGroundHides) {
     sunk.segments.push_back({{0, 0, 1}, {0, 0, -9}, 0});
     const View a = make_view(cut, grid), b = make_view(sunk, grid);
     for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0.5, 1, 2), Vec3(0.5, -1, 0)})
-      EXPECT_LT(glm::distance(Vec2(a.project(p)), Vec2(b.project(p))), 1e-9);
+      EXPECT_LT(glm::distance(Vec2(grid_point(a, p)), Vec2(grid_point(b, p))), 1e-9);
     // From below nothing hides it, and a scene all under the ground is fitted whole.
     sunk.camera.from.elevation_deg = -30;
     EXPECT_GT(make_view(sunk, grid).world_per_cell, 1.5 * b.world_per_cell);
@@ -195,10 +198,10 @@ TEST(View, AnEyeInsideTheSceneSeesSixtyDegrees) {
   scene.camera.eye = Vec3(0, 0, 0);
   scene.camera.target = Vec3(0, 1, 0);
   const View view = make_view(scene, {100, 100, 1, 1});
-  EXPECT_NEAR(view.project({0, 1, std::tan(30 * M_PI / 180)}).y, 0, 1e-12);
+  EXPECT_NEAR(grid_point(view, {0, 1, std::tan(30 * M_PI / 180)}).y, 0, 1e-12);
   ASSERT_TRUE(view.near_plane);
   EXPECT_EQ(view.near_plane->normal, Vec3(0, 1, 0));
-  EXPECT_EQ(view.near_plane->offset, 0.001);
+  EXPECT_NEAR(view.near_plane->offset + view.origin.y, 0.001, 1e-15);
 }
 
 TEST(View, FieldOfViewIsVertical) {
@@ -207,8 +210,8 @@ TEST(View, FieldOfViewIsVertical) {
   scene.camera.target = Vec3(0, 0, 0);
   scene.camera.fov_deg = 90;
   const View view = make_view(scene, {200, 50, 1, 2});
-  EXPECT_NEAR(view.project({0, 0, 10}).y, 0, 1e-12);
-  EXPECT_NEAR(view.project({0, 10, 0}).x, 150, 1e-12);
+  EXPECT_NEAR(grid_point(view, {0, 0, 10}).y, 0, 1e-12);
+  EXPECT_NEAR(grid_point(view, {0, 10, 0}).x, 150, 1e-12);
 }
 
 TEST(View, OddCamerasStillSeeSomething) {
@@ -216,18 +219,18 @@ TEST(View, OddCamerasStillSeeSomething) {
   for (const bool parallel : {false, true}) {
     scene.camera.parallel = parallel;
     const View empty = make_view(scene, {});
-    EXPECT_TRUE(std::isfinite(empty.project({0, 0, 0}).x));
+    EXPECT_TRUE(std::isfinite(grid_point(empty, {0, 0, 0}).x));
   }
   scene = boxes(2, 1);
   scene.camera.eye = scene.camera.target = Vec3(9, 9, 9);
-  EXPECT_TRUE(std::isfinite(make_view(scene, {}).project({0, 0, 0}).x));
+  EXPECT_TRUE(std::isfinite(grid_point(make_view(scene, {}), {0, 0, 0}).x));
   scene.camera.target = Vec3(9, 9, 0);
   const View down = make_view(scene, {});
-  EXPECT_GT(down.project({10, 9, 0}).x, down.project({9, 9, 0}).x);
-  EXPECT_LT(down.project({9, 10, 0}).y, down.project({9, 9, 0}).y);
+  EXPECT_GT(grid_point(down, {10, 9, 0}).x, grid_point(down, {9, 9, 0}).x);
+  EXPECT_LT(grid_point(down, {9, 10, 0}).y, grid_point(down, {9, 9, 0}).y);
   Scene point;
   point.segments.push_back({{1, 1, 1}, {1, 1, 1}, 0});
-  EXPECT_NEAR(make_view(point, {}).project({1, 1, 1}).x, 135 / 2.0, 1e-9);
+  EXPECT_NEAR(grid_point(make_view(point, {}), {1, 1, 1}).x, 135 / 2.0, 1e-9);
 }
 
 TEST(View, TurnedIsARotationOfTheGrid) {
@@ -235,11 +238,11 @@ TEST(View, TurnedIsARotationOfTheGrid) {
   const View view = make_view(scene, {});
   const View other = turned(view, 30, {10, 20}, 4);
   const Vec3 p(0.3, -0.2, 0.9);
-  const Vec2 d = Vec2(view.project(p)) - Vec2(10, 20);
+  const Vec2 d = Vec2(grid_point(view, p)) - Vec2(10, 20);
   const double c = std::sqrt(3) / 2, s = 0.5;
-  EXPECT_NEAR(other.project(p).x, 4 * (c * d.x + s * d.y), 1e-10);
-  EXPECT_NEAR(other.project(p).y, 4 * (c * d.y - s * d.x), 1e-10);
-  EXPECT_EQ(other.project(p).z, view.project(p).z);
+  EXPECT_NEAR(grid_point(other, p).x, 4 * (c * d.x + s * d.y), 1e-10);
+  EXPECT_NEAR(grid_point(other, p).y, 4 * (c * d.y - s * d.x), 1e-10);
+  EXPECT_EQ(grid_point(other, p).z, grid_point(view, p).z);
   EXPECT_EQ(other.world_per_cell, view.world_per_cell / 4);
 }
 

@@ -35,8 +35,8 @@ TEST_P(Table1, HasTheCountsOfThePaper) {
 }
 
 TEST_P(Table1, LiesOnTheGroundOrAbove) {
-  ASSERT_TRUE(scene_.ground_z.has_value());
-  for (const Vec3& p : canonical_.vertices) EXPECT_GE(p.z, *scene_.ground_z);
+  ASSERT_TRUE(canonical_.ground_z.has_value());
+  for (const Vec3& p : canonical_.vertices) EXPECT_GE(p.z, *canonical_.ground_z);
 }
 
 /// NN74 draws convex polyhedra and polygons: nothing of a body lies before one of its faces.

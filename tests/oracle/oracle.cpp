@@ -176,11 +176,12 @@ struct Oracle::Impl {
     return sign_of([&]<class T>() { return dot(row<T>(view.matrix, kW), h.get<T>()); });
   }
 
-  /// Laws 1 and 3: a finite point in front of the eye and not cut away.
-  bool is_there(const Hit& h) const {
+  /// Laws 1 and 3: a finite point in front of the eye and not cut away. `end`: where a closed body
+  /// is left.
+  bool is_there(const Hit& h, bool end = false) const {
     const int finite = sign_of([&]<class T>() { return h.get<T>()[3]; });
     if (finite == 0 || finite * w_sign(h) <= 0) return false;
-    return !view.near_plane || sign_at(h, *view.near_plane) >= 0;
+    return !view.near_plane || sign_at(h, *view.near_plane) >= (end ? 1 : 0);
   }
 
   std::vector<Meeting> meetings(const Sight& sight, double x, double y) const {
@@ -192,7 +193,7 @@ struct Oracle::Impl {
       if (face.eye_side == 0 || (face.eye_side < 0 && closed && !view.near_plane)) continue;
       if (!face.eye_box.may_hold(Approx(x), Approx(y)) || !covers(f, sight)) continue;
       Hit h = hit(sight, in.planes[f.plane]);
-      if (is_there(h)) met.push_back({i, std::move(h)});
+      if (is_there(h, closed && face.eye_side < 0)) met.push_back({i, std::move(h)});
     }
     return met;
   }

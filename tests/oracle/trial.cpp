@@ -13,7 +13,7 @@ namespace overstrike::oracle {
 namespace {
 
 /// Failures of one view that are reported in full.
-constexpr int kReported = 3;
+constexpr std::size_t kReported = 3;
 
 std::string to_text(const Seen& s) {
   if (s.paper()) return "paper";
@@ -79,57 +79,91 @@ std::vector<Stretch> ScannedLine::stretches() const {
   return made;
 }
 
+namespace {
+
+std::shared_ptr<const Canonical> canonical_of(const Scene& scene, const View& view,
+                                              double tolerance, std::vector<Diagnostic>& warnings) {
+  return std::make_shared<const Canonical>(canonicalize(scene, view, tolerance, warnings));
+}
+
+constexpr ScanFamily kUsual[] = {{0, 1, 0.5}, {0, 3.7, 0.2937}, {33, 5.3, 0.71}};
+
+}  // namespace
+
 Trial::Trial(const Scene& scene, const Grid& grid, double tolerance, std::string name)
+    : Trial(scene, grid, tolerance, std::move(name), kUsual, 0) {}
+
+Trial::Trial(const Scene& scene, const Grid& grid, double tolerance, std::string name,
+             std::span<const ScanFamily> families, int through_vertices)
     : grid_(grid),
       name_(std::move(name)),
       view_(make_view(scene, grid)),
-      canonical_(canonicalize(scene, view_, tolerance, warnings_)),
-      oracle_(canonical_, view_),
-      crossings_(canonical_, view_) {
+      canonical_(canonical_of(scene, view_, tolerance, warnings_)),
+      oracle_(*canonical_, view_),
+      crossings_(*canonical_, view_) {
   std::seed_seq seed(name_.begin(), name_.end());
   bits_.seed(seed);
   learn_numbers();
   DrawOptions options;
   options.tolerance = tolerance;
   options.threads = 1;
-  Drawing drawing(scene, grid, options);
-  for (const ScanFamily& family :
-       {ScanFamily{0, 1, 0.5}, ScanFamily{0, 3.7, 0.2937}, ScanFamily{33, 5.3, 0.71}})
-    scan(drawing, family);
+  Drawing drawing(canonical_, view_, options);
+  for (const ScanFamily& family : families) scan(drawing, family);
+  for (const ScanFamily& family : lines_through_vertices(through_vertices)) scan(drawing, family);
 }
 
 void Trial::judge(int points, int ends) {
-  for (int i = 0; i < points; ++i) judge_point();
-  judge_ends(ends);
+  for (const std::string& failure : judge(Effort{points, ends, 0, 0})) ADD_FAILURE() << failure;
+}
+
+const std::vector<std::string>& Trial::judge(const Effort& effort) {
+  for (int i = 0; i < effort.points; ++i) judge_point();
+  for (int i = 0; i < effort.gaps; ++i) judge_gap();
+  for (int i = 0; i < effort.beside; ++i) judge_beside();
+  judge_ends(effort.ends);
+  return failures_;
+}
+
+/// One line each, at the y of a vertex: its spacing takes the next out of the grid.
+std::vector<ScanFamily> Trial::lines_through_vertices(int count) {
+  std::vector<ScanFamily> families;
+  const auto& vertices = canonical_->vertices;
+  for (int i = 0; i < count && !vertices.empty(); ++i) {
+    const Vec3& p = vertices[bits_() % vertices.size()];
+    if (!((view_.matrix * Vec4(p, 1)).z > 0)) continue;
+    const double y = view_.project(p).y;
+    if (y > 0 && y < grid_.rows) families.push_back({0, 2 * grid_.rows, y});
+  }
+  return families;
 }
 
 Index Trial::first_in_plane(Index body, const Plane& plane, bool flipped) const {
-  for (Index f = canonical_.bodies[body].first_face; f < canonical_.bodies[body].end_face; ++f) {
-    const CanonicalFace& face = canonical_.faces[f];
-    const Plane& p = canonical_.planes[face.plane];
+  for (Index f = canonical_->bodies[body].first_face; f < canonical_->bodies[body].end_face; ++f) {
+    const CanonicalFace& face = canonical_->faces[f];
+    const Plane& p = canonical_->planes[face.plane];
     if (p.normal == plane.normal && p.offset == plane.offset && face.flipped == flipped) return f;
   }
   return kNone;
 }
 
 void Trial::learn_numbers() {
-  if (!view_.near_plane || !needs_clip(canonical_, *view_.near_plane)) return;
-  const Canonical drawn = clip(canonical_, *view_.near_plane);
+  if (!view_.near_plane || !needs_clip(*canonical_, *view_.near_plane)) return;
+  const Canonical drawn = clip(*canonical_, *view_.near_plane);
   std::map<Index, Index> body_of_source;
-  for (Index b = 0; b < canonical_.bodies.size(); ++b)
-    body_of_source[canonical_.bodies[b].source] = b;
+  for (Index b = 0; b < canonical_->bodies.size(); ++b)
+    body_of_source[canonical_->bodies[b].source] = b;
   for (const CanonicalBody& b : drawn.bodies) body_of_drawn_.push_back(body_of_source.at(b.source));
   for (const CanonicalFace& f : drawn.faces)
     face_of_drawn_.push_back(
         first_in_plane(body_of_drawn_[f.body], drawn.planes[f.plane], f.flipped));
-  for (const CanonicalFace& f : canonical_.faces)
-    face_of_input_.push_back(first_in_plane(f.body, canonical_.planes[f.plane], f.flipped));
+  for (const CanonicalFace& f : canonical_->faces)
+    face_of_input_.push_back(first_in_plane(f.body, canonical_->planes[f.plane], f.flipped));
 }
 
 Kind Trial::told_apart(Kind kind, Index face) const {
-  if (!canonical_.light || face == kNone) return kind;
-  const Vec3 normal = canonical_.outward(canonical_.faces[face]);
-  return std::fabs(glm::dot(normal, *canonical_.light)) < kGrazing ? Kind::shade : kind;
+  if (!canonical_->light || face == kNone) return kind;
+  const Vec3 normal = canonical_->outward(canonical_->faces[face]);
+  return std::fabs(glm::dot(normal, *canonical_->light)) < kGrazing ? Kind::shade : kind;
 }
 
 DensityRun Trial::in_numbers_of_input(DensityRun run) const {
@@ -166,7 +200,7 @@ void Trial::scan(Drawing& drawing, const ScanFamily& family) {
 }
 
 void Trial::fail(const std::string& what) {
-  if (failures_++ < kReported) ADD_FAILURE() << name_ << ": " << what;
+  if (failures_.size() < kReported) failures_.push_back(name_ + ": " + what);
 }
 
 double Trial::uniform(double low, double high) {
@@ -175,19 +209,67 @@ double Trial::uniform(double low, double high) {
 
 void Trial::judge_point() {
   const ScannedLine& scanned = any_line();
-  const double s = uniform(scanned.from, scanned.to);
+  judge_at(scanned, uniform(scanned.from, scanned.to));
+}
+
+/// Of a random line: where the scene's edges cross it, and what may change on one of the planes
+/// seen. Those that lie together count once, with the worst of their condition numbers.
+std::vector<Crossings::Place> Trial::places(const ScannedLine& scanned) {
+  const Seen seen = oracle_at(scanned.line.at(uniform(scanned.from, scanned.to)));
+  std::vector<Crossings::Place> kept;
+  for (const Crossings::Place& p : crossings_.places(scanned.line, seen)) {
+    if (p.s <= scanned.from || p.s >= scanned.to) continue;
+    if (!kept.empty() && p.s - kept.back().s <= kBeside * kept.back().condition)
+      kept.back().condition = std::max(kept.back().condition, p.condition);
+    else
+      kept.push_back(p);
+  }
+  return kept;
+}
+
+void Trial::judge_gap() {
+  const ScannedLine& scanned = any_line();
+  const auto at = places(scanned);
+  if (at.size() < 2) return;
+  const std::size_t i = bits_() % (at.size() - 1);
+  judge_at(scanned, (at[i].s + at[i + 1].s) / 2);
+}
+
+void Trial::judge_beside() {
+  const ScannedLine& scanned = any_line();
+  const auto at = places(scanned);
+  if (at.empty()) return;
+  const Crossings::Place& place = at[bits_() % at.size()];
+  const double s = place.s + (bits_() % 2 == 0 ? 1 : -1) * kBeside * place.condition;
+  if (scanned.from < s && s < scanned.to) judge_at(scanned, s);
+}
+
+void Trial::judge_at(const ScannedLine& scanned, double s) {
   const Vec2 p = scanned.line.at(s);
   const Seen expected = oracle_at(p);
   Seen found;
   for (const Stretch& stretch : scanned.stretches())
     if (stretch.from <= s && s < stretch.to) found = stretch.seen(s);
-  const bool smooth = found.body != kNone && canonical_.bodies[found.body].smooth;
+  const bool smooth = found.body != kNone && canonical_->bodies[found.body].smooth;
   const double allowed = smooth ? kSmoothDensityError : kFlatDensityError;
   if (expected.same(found) && std::fabs(expected.density - found.density) <= allowed) return;
-  if (oracle_.near_edge(p.x, p.y, kEdgeRadius))
+  if (!expected.same(found) && is_right(scanned.line, s, found))
     ++skipped_;
   else
     fail(place(p) + "expected " + to_text(expected) + ", found " + to_text(found));
+}
+
+/// `found` is right to within kEndError: it is seen here or that near, or where it would be seen a
+/// border is that near, times its condition number.
+bool Trial::is_right(const Line& line, double s, const Seen& found) const {
+  const Vec2 p = line.at(s), along = line.direction * kEndError, across(-along.y, along.x);
+  for (const Vec2& d : {Vec2(0), along, -along, across, -across, along + across, along - across,
+                        across - along, -along - across}) {
+    const Seen expected = oracle_at(p + d);
+    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError))
+      return true;
+  }
+  return false;
 }
 
 void Trial::judge_ends(int count) {
@@ -211,10 +293,10 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
   std::string seen;
   for (const double condition : crossings_.conditions(line, s, l, r)) {
     const double reach = kEndError * std::max(1.0, condition);
-    const Vec2 before = line.at(std::max(s - reach, (left.from + s) / 2)),
-               after = line.at(std::min(s + reach, (right.to + s) / 2));
-    const Seen was = oracle_at(before), is = oracle_at(after);
-    if (was.same(l) && is.same(r)) return;
+    const double before = std::max(s - reach, (left.from + s) / 2),
+                 after = std::min(s + reach, (right.to + s) / 2);
+    if (is_right(line, before, l) && is_right(line, after, r)) return;
+    const Seen was = oracle_at(line.at(before)), is = oracle_at(line.at(after));
     seen +=
         "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);
   }

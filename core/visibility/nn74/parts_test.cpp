@@ -235,7 +235,7 @@ TEST(Nn74Light, ShadowsStandInFaceCoordinates) {
   for (const ShadowCorner& s : shadow.corners) {
     const Vec3 p2 = v[shadow.frame[1]];
     const Vec3 at = p2 + (v[shadow.frame[0]] - p2) * s.t1 + (v[shadow.frame[2]] - p2) * s.t2;
-    low = glm::min(low, at), high = glm::max(high, at);
+    low = glm::min(low, at + p.view.origin), high = glm::max(high, at + p.view.origin);
     EXPECT_FALSE(s.own) << "the shadow reaches no edge of the slab";
   }
   const Vec3 expected_low(2.5, -5, 1), expected_high(4.5, -3, 1);
