@@ -42,7 +42,8 @@ struct CanonicalBody {
   Index first_face, end_face;
   Index first_edge, end_edge;
   Index first_vertex, end_vertex;
-  bool closed;  ///< every edge has two faces: back faces cannot be seen from outside
+  /// Every edge has two faces and no face crosses itself: back faces cannot be seen from outside.
+  bool closed;
   bool smooth;  ///< shaded by corner normals
   bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
   bool curved;  ///< its facets stand for a curved surface, to the tolerance

@@ -256,10 +256,11 @@ struct Oracle::Impl {
     for (const Meeting* m : tied) {
       const double away = density_away_from_shadow(*m);
       const Seen s = face_at(*m, away);
-      const bool wins = s.density != best.density ? s.density > best.density
-                        : away != best_away       ? away > best_away
-                                                  : precedes(s.face, best.face);
-      if (best.face == kNone || wins) best = s, best_away = away;
+      const bool wins = best.face == kNone          ? true
+                        : s.density != best.density ? s.density > best.density
+                        : away != best_away         ? away > best_away
+                                                    : precedes(s.face, best.face);
+      if (wins) best = s, best_away = away;
     }
     return best;
   }
