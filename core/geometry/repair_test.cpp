@@ -165,7 +165,8 @@ TEST(Repair, SplitsCrossingFacesThatAreNotPlanar) {
   Polyhedron p;
   p.vertices = {{-3, -3, -2}, {0, -3, -3}, {-4, -4, -4}, {-1, -4, -4}};
   p.add_face({0, 1, 2, 3});
-  ASSERT_TRUE(crosses_itself(std::vector{p.vertices}, fit_plane(p, 0).normal));
+  const std::vector<std::vector<Vec3>> loops{p.vertices};
+  ASSERT_TRUE(crosses_itself(loops, fit_plane(p, 0).normal));
   std::vector<std::string> flaws;
   const Repaired mended = repaired(p, {0, true, {}}, flaws);
   EXPECT_EQ(mended.polyhedron.face_count(), 2u);
