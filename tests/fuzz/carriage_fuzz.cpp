@@ -31,7 +31,8 @@ void print(const std::string& bytes, void (*reader)(std::istream&, Carriage&, Li
     return;  // the page was too long
   }
   expect(pages > 0 && pages == report.pages && lines == report.lines, "pages are counted");
-  expect(struck + report.overstrikes + report.beyond == report.strikes, "strikes are accounted for");
+  expect(struck + report.overstrikes + report.beyond == report.strikes,
+         "strikes are accounted for");
   expect(report.strikes + report.unprintable <= bytes.size(), "a strike takes a byte");
 }
 

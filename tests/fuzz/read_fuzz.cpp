@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace overstrike;
   try {
     // A folder that holds nothing: no file that the text names is opened.
-    const ReadResult read = read_scene_text(fuzz::text_of(data, size), OVERSTRIKE_FUZZ_FORMAT,
-                                            "fuzz", "/nonexistent");
+    const ReadResult read =
+        read_scene_text(fuzz::text_of(data, size), OVERSTRIKE_FUZZ_FORMAT, "fuzz", "/nonexistent");
     fuzz::expect_sound(read.scene);
   } catch (const InputError& error) {
     fuzz::expect(!error.diagnostics().empty(), "an error says what is wrong");

@@ -47,25 +47,15 @@ Mesh mesh_of(ByteSource& bytes, unsigned vertices,
 
 /// Six quadrilaterals over any eight points: twisted, crossing itself, or a box.
 Mesh hexahedron(ByteSource& bytes) {
-  return mesh_of(bytes, 8,
-                 {{0, 2, 3, 1},
-                  {4, 5, 7, 6},
-                  {0, 1, 5, 4},
-                  {2, 6, 7, 3},
-                  {0, 4, 6, 2},
-                  {1, 3, 7, 5}});
+  return mesh_of(
+      bytes, 8,
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 Mesh octahedron(ByteSource& bytes) {
-  return mesh_of(bytes, 6,
-                 {{0, 2, 4},
-                  {2, 1, 4},
-                  {1, 3, 4},
-                  {3, 0, 4},
-                  {2, 0, 5},
-                  {1, 2, 5},
-                  {3, 1, 5},
-                  {0, 3, 5}});
+  return mesh_of(
+      bytes, 6,
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
 }
 
 /// Triangles and quadrilaterals over a few points, anyhow.
@@ -148,9 +138,10 @@ Body body(ByteSource& bytes) {
   return made;
 }
 
-constexpr Direction kDirections[] = {
-    {0, 90},  {-90, 90}, {0, 0},   {-90, 0},  {90, 45},   {45, 0}, {-60, 25}, {45, 35.264389682754654},
-    {30, 60}, {0, -90},  {0, -45}, {180, 45}, {-135, 30}, {20, 1}};
+constexpr Direction kDirections[] = {{0, 90},    {-90, 90}, {0, 0},    {-90, 0},
+                                     {90, 45},   {45, 0},   {-60, 25}, {45, 35.264389682754654},
+                                     {30, 60},   {0, -90},  {0, -45},  {180, 45},
+                                     {-135, 30}, {20, 1}};
 
 Camera camera(ByteSource& bytes) {
   Camera made;

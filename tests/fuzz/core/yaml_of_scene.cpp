@@ -57,17 +57,18 @@ std::string text(const Body& b) {
   const Mat3& m = b.placement.linear;
   const bool mirrored = glm::determinant(m) < 0;
   const double turn = std::atan2(-m[1].x, m[1].y) * (180 / 3.14159265358979323846);
-  return fmt::format(
-      "  - {}\n{}    rotate: {:.0f}\n    at: {}\n    density: {}\n    shading: {}\n",
-      std::visit(ShapeText{}, *b.shape), mirrored ? "    mirror: x\n" : "", turn, text(b.placement.offset),
-      b.density_factor, b.shading == Shading::smooth ? "smooth" : "flat");
+  return fmt::format("  - {}\n{}    rotate: {:.0f}\n    at: {}\n    density: {}\n    shading: {}\n",
+                     std::visit(ShapeText{}, *b.shape), mirrored ? "    mirror: x\n" : "", turn,
+                     text(b.placement.offset), b.density_factor,
+                     b.shading == Shading::smooth ? "smooth" : "flat");
 }
 
 std::string text(const Camera& c) {
   std::string made = c.eye ? "  eye: " + text(*c.eye) + "\n" : "";
   if (c.target) made += "  target: " + text(*c.target) + "\n";
   if (!c.eye)
-    made += fmt::format("  azimuth: {}\n  elevation: {}\n", c.from.azimuth_deg, c.from.elevation_deg);
+    made +=
+        fmt::format("  azimuth: {}\n  elevation: {}\n", c.from.azimuth_deg, c.from.elevation_deg);
   if (c.look_at && !c.eye) made += "  look-at: " + text(*c.look_at) + "\n";
   made += fmt::format("  projection: {}\n", c.parallel ? "parallel" : "perspective");
   if (c.window_width) made += fmt::format("  window: {}\n", *c.window_width);
