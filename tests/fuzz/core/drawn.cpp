@@ -118,7 +118,7 @@ bool same_bits(const DensityRun& a, const DensityRun& b) {
 }
 
 void expect_means(Drawing& drawing) {
-  constexpr int kLines = 64;  // to a row
+  constexpr int kLines = 32;  // to a row
   const auto cells = draw_cells(drawing);
   const auto lines = draw_lines(drawing, {0, 1.0 / kLines, 0.5 / kLines});
   std::vector<std::vector<double>> along;
