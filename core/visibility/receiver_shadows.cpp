@@ -70,8 +70,8 @@ ReceiverShadow::Box ReceiverShadow::box_of(const FrontTable& table, Index face) 
   return box;
 }
 
-/// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the left,
-/// all along it, everywhere.
+/// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the
+/// left, all along it, everywhere.
 void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
                               double point_error) {
   const Vec2 a = projected(view, edge.a), b = projected(view, edge.b);
@@ -89,7 +89,7 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
     base_ += winding;
   } else {
-    lines_.push_back({line, static_cast<float>(error), winding});
+    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding});
   }
 }
 

@@ -42,8 +42,7 @@ class ReceiverShadow {
     Vec2 low, high;
   };
   static Box box_of(const FrontTable& table, Index face);
-  void add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
-                double point_error);
+  void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, double point_error);
 
   int base_ = 0;  ///< the count to the left of all lines
   std::vector<ShadowLine> lines_;
