@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/visibility/depth.h"
+
 namespace overstrike {
 namespace {
 
@@ -28,8 +30,10 @@ FaceShade shade_of(const Canonical& canonical, const CanonicalFace& face, bool s
   }
   const Vec3 outward = canonical.outward(face);
   const Vec3 normal = seen_from_behind ? -outward : outward;
-  // NN74's tie rule: light along the face is shade.
-  const bool lit = !canonical.light || glm::dot(normal, *canonical.light) > 0;
+  // NN74's tie rule: light along the face is shade. Exact, as who receives shadows is.
+  const bool lit =
+      !canonical.light || side_of_direction(canonical.planes[face.plane], face.flipped,
+                                            *canonical.light) == (seen_from_behind ? -1 : 1);
   return {lit ? lit_density(canonical, body, normal) : shade_density(canonical, body), lit};
 }
 

@@ -44,6 +44,13 @@ int side_of_point(const Plane& plane, const Vec3& p) {
   return sign_of_dot(homogeneous(plane), Vec4(p, 1.0));
 }
 
+double height_of_point(const Plane& plane, const Vec3& p) {
+  const Vec4 at = homogeneous(plane);
+  Expansion exact(at.w);
+  for (int i = 0; i < 3; ++i) exact = exact + Expansion(at[i]) * Expansion(p[i]);
+  return exact.approximate();
+}
+
 DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& further,
                    const View& view)
     : planes_(planes), further_(further) {
@@ -146,6 +153,13 @@ int DepthMap::compare_exactly(Index f, Index g, double x, double y) const {
 
 namespace {
 const std::vector<Plane> kNoFurther;
+}
+
+double DepthMap::crossing_exactly(Index f, Index g, double y) const {
+  const std::array<Expansion, 4> p = exact(f), q = exact(g);
+  const auto difference = [&](int i) { return q[i] * p[3] - p[i] * q[3]; };
+  const Expansion at_zero = difference(1) * Expansion(y) + difference(2);
+  return -at_zero.approximate() / difference(0).approximate();
 }
 
 DepthField::DepthField(const std::vector<Plane>& planes, const View& view)

@@ -34,6 +34,9 @@ class DepthMap {
   std::optional<DepthPlane> depth(Index plane) const;
   /// Sign of depth(f) - depth(g) at the point of the grid, in exact arithmetic: 1 when f is nearer.
   int compare_exactly(Index f, Index g, double x, double y) const;
+  /// Where on the level y the two have one depth, to an ulp or two; NaN or infinite when they are
+  /// parallel along it.
+  double crossing_exactly(Index f, Index g, double y) const;
   /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
   /// `reach`: widens low..high. False when the plane passes through the eye.
   bool add_range(Index plane, std::span<const Index> corners, const std::vector<Vec2>& points,
@@ -101,5 +104,7 @@ inline int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
 int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction);
 /// Sign of dot(normal, p) - offset, exact.
 int side_of_point(const Plane& plane, const Vec3& p);
+/// dot(normal, p) - offset to an ulp or two, however near the point is to the plane.
+double height_of_point(const Plane& plane, const Vec3& p);
 
 }  // namespace overstrike

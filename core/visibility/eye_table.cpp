@@ -114,6 +114,8 @@ void set_gradient(EyeFace& e, const std::array<Projected, 3>& p,
   for (int i = 0; i < 3; ++i) q[i] = density[i] / p[i].w, w[i] = 1 / p[i].w;
   e.q = solve * q;
   e.w = solve * w;
+  e.least = std::min({density[0], density[1], density[2]});
+  e.most = std::max({density[0], density[1], density[2]});
   e.smooth = true;
 }
 

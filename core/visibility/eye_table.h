@@ -22,10 +22,12 @@ struct EyeFace {
   double in_shadow;
   /// Smooth: density = (q . (x, y, 1)) / (w . (x, y, 1)).
   Vec3 q{0.0}, w{0.0};
+  double least = 0, most = 1;  ///< of its corners: a triangle seen nearly edge-on has few digits
 
   double density_at(double x, double y) const {
     if (!smooth) return density;
-    return (q.x * x + q.y * y + q.z) / (w.x * x + w.y * y + w.z);
+    const double d = (q.x * x + q.y * y + q.z) / (w.x * x + w.y * y + w.z);
+    return d >= least ? (d <= most ? d : most) : least;
   }
 };
 

@@ -18,6 +18,17 @@ int FaceOrder::compare(Index f, Index g, double x, double y) const {
   return side != 0 ? side : table_.depths.compare_exactly(p, q, x, y);
 }
 
+double FaceOrder::crossing(Index f, Index g, double y) const {
+  // Grid units: errors of ends are told from true displacements at a thousand times that.
+  constexpr double kGoodEnough = 1e-12;
+  const DepthPlane p = depth_of(f), q = depth_of(g);
+  const double slope = p.a - q.a;
+  const double x = -((p.b - q.b) * y + (p.c - q.c)) / slope;
+  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
+  if (error <= kGoodEnough * std::fabs(slope)) return x;
+  return table_.depths.crossing_exactly(plane_of(f), plane_of(g), y);
+}
+
 bool FaceOrder::in_front(Index f, Index g, double x, double y) const {
   const int side = compare(f, g, x, y);
   return side != 0 ? side > 0 : wins_tie(f, g);

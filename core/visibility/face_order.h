@@ -22,6 +22,9 @@ class FaceOrder {
   const DepthPlane& depth_of(Index face) const;
   /// Sign of depth(f) - depth(g) at the point of the grid, exact: 1 when f is nearer.
   int compare(Index f, Index g, double x, double y) const;
+  /// Where on the level the two have one depth, whatever the angle at which they cross; NaN or
+  /// infinite when they are parallel along it.
+  double crossing(Index f, Index g, double y) const;
   /// f before g at the point, ties decided: the ground last, the darker first.
   bool in_front(Index f, Index g, double x, double y) const;
 

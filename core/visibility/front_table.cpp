@@ -32,6 +32,7 @@ class Builder {
  private:
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
+  bool turned(const CanonicalFace& f) const;
   void add_side(const WingedEdge& edge, bool left_seen);
   void add_small_side(const WingedEdge& edge);
   void keep_outline(Index number);
@@ -121,6 +122,21 @@ bool Builder::walkable(const CanonicalFace& f) const {
   return turns <= 2;
 }
 
+/// A body that passes through itself may be inside out where it is cut: its cap looks to the eye,
+/// but turns the other way.
+bool Builder::turned(const CanonicalFace& f) const {
+  double area = 0;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    const std::span<const Index> loop = c_.loop(l);
+    const Vec2& base = table_.points[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const Vec2 a = table_.points[loop[i]] - base, b = table_.points[loop[i + 1]] - base;
+      area += a.x * b.y - a.y * b.x;
+    }
+  }
+  return area > 0;
+}
+
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
@@ -148,7 +164,7 @@ void Builder::look_at_faces(Index number) {
     }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
-    walk = walk && walkable(f);
+    walk = walk && walkable(f) && !(f.cut && turned(f));
   }
   front.triangles = triangles;
   front.loose = front.seen && (!walk || (from_front && from_behind));
@@ -213,6 +229,22 @@ void Builder::note_manifold_levels(Index number) {
   front.broken = broken(left_) || broken(right_);
 }
 
+/// The outline's left is somewhere right of its right: it crosses itself.
+bool crossed(const std::vector<OutlineSide>& left, const std::vector<OutlineSide>& right,
+             const LineError& error) {
+  const auto x_at = [](const OutlineSide& s, double y) {
+    return y == s.line.y1 ? s.x1 : s.line.x_at(y);
+  };
+  for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+    const OutlineSide &l = left[i], &r = right[j];
+    const double slack = error.of(l.line) + error.of(r.line);
+    for (const double y : {std::max(l.line.y0, r.line.y0), std::min(l.line.y1, r.line.y1)})
+      if (x_at(l, y) - x_at(r, y) > slack) return true;
+    l.line.y1 < r.line.y1 ? ++i : ++j;
+  }
+  return false;
+}
+
 void Builder::keep_outline(Index number) {
   FrontBody& front = table_.bodies[number];
   const auto by_level = [](const OutlineSide& a, const OutlineSide& b) {
@@ -221,6 +253,7 @@ void Builder::keep_outline(Index number) {
   std::sort(left_.begin(), left_.end(), by_level);
   std::sort(right_.begin(), right_.end(), by_level);
   note_manifold_levels(number);
+  front.loose = front.loose || (!front.broken && crossed(left_, right_, front.line_error));
   if (front.loose) return;
   const bool low = front.bottom - front.top <= kFewLevels || number == table_.ground_body();
   front.small = low && !front.broken && !all_.empty() && all_.size() <= kFewSides;

@@ -97,12 +97,13 @@ bool RunShader::gradient_of(Index face, Index corner, Gradient& out) const {
     const Vec3& normal = c.corner_normals[corners[i]];
     x[i] = table_.points[c.corners[corners[i]]].x, y[i] = table_.points[c.corners[corners[i]]].y;
     over_w[i] = 1 / (table_.view.matrix * Vec4(p, 1.0)).z;
-    density[i] = lit_density(c, c.bodies[tone.body], behind ? -normal : normal) * over_w[i];
+    density[i] = lit_density(c, c.bodies[tone.body], behind ? -normal : normal);
   }
   const Mat3 matrix(x, y, Vec3(1.0));
   if (glm::determinant(matrix) == 0) return false;
   const Mat3 solve = glm::inverse(matrix);
-  out = {solve * density, solve * over_w};
+  out = {solve * (density * over_w), solve * over_w, std::min({density.x, density.y, density.z}),
+         std::max({density.x, density.y, density.z})};
   return true;
 }
 
@@ -161,8 +162,6 @@ void RunShader::bent(DensityRun run, const Gradient& gradient, double y, int dep
   const bool straight =
       std::fabs(density - (run.density0 + run.density1) / 2) <= density_tolerance_;
   if (straight || depth == kMostHalvings || !(run.x0 < middle && middle < run.x1)) {
-    run.density0 = std::clamp(run.density0, 0.0, 1.0);
-    run.density1 = std::clamp(run.density1, 0.0, 1.0);
     runs.push_back(run);
     return;
   }

@@ -25,11 +25,14 @@ class RunShader {
   void shade(double y, const std::vector<SpanPiece>& pieces, std::vector<DensityRun>& runs);
 
  private:
-  /// Density over the grid: (q . (x, y, 1)) / (w . (x, y, 1)).
+  /// Density over the grid: (q . (x, y, 1)) / (w . (x, y, 1)), which stays between those of the
+  /// corners. (A triangle seen nearly edge-on has a gradient of few digits.)
   struct Gradient {
     Vec3 q, w;
+    double least, most;
     double at(double x, double y) const {
-      return (q.x * x + q.y * y + q.z) / (w.x * x + w.y * y + w.z);
+      const double density = (q.x * x + q.y * y + q.z) / (w.x * x + w.y * y + w.z);
+      return density >= least ? (density <= most ? density : most) : least;
     }
   };
   void shaded(double y, const SpanPiece& piece, const ReceiverShadow& shadow,

@@ -206,9 +206,8 @@ double ShadowCaster::Impl::height_over(const Receiver& r, Index body, Index vert
   const bool lit_above = r.along_light > 0;
   if (std::fabs(height) > kNear * size) return lit_above ? height : -height;
   if (r.plane_id != kNone && index.touches(body, vertex, r.plane_id)) return 0;
-  const int side = side_of_point(r.plane, p) * (lit_above ? 1 : -1);
-  // The sign is exact; the size only places a cut.
-  return side == 0 ? 0 : side * std::max(std::fabs(height), 1e-300);
+  const double exact = height_of_point(r.plane, p);
+  return lit_above ? exact : -exact;
 }
 
 /// Strictly: a polygon that only touches the outline of the receiver from outside leaves no shadow

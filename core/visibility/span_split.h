@@ -17,16 +17,11 @@ struct SpanPiece {
   float slack0, slack1;
 };
 
-/// Where two planes have one depth on the line at y; NaN or infinite when they are parallel along
-/// it.
-inline double crossing_of(const DepthPlane& p, const DepthPlane& q, double y) {
-  return -((p.b - q.b) * y + (p.c - q.c)) / (p.a - q.a);
-}
-
 /// Splits the span [x0, x1) at the exact crossings of the active faces, nearest first, and appends
 /// the pieces. `slack0`, `slack1` bound the errors of the ends: what differs only within them is no
 /// crossing (edges that touch a face end on it to within rounding). `Order` as ActiveList's, and
-/// compare(f, g, x, y), the sign of the difference of depths, and depth_of(face).
+/// compare(f, g, x, y), the sign of the difference of depths, and crossing(f, g, y), where on the
+/// line they are equal (NaN or infinite: nowhere).
 template <class Order>
 void split_at_crossings(const Order& order, std::span<const Index> active, double x0, double x1,
                         double y, double slack0, double slack1, std::vector<SpanPiece>& pieces) {
@@ -45,8 +40,7 @@ void split_at_crossings(const Order& order, std::span<const Index> active, doubl
     for (const Index f : active) {
       if (f == seen || !order.in_front(f, seen, high, y) || order.compare(f, seen, low, y) > 0)
         continue;
-      const double x =
-          std::clamp(crossing_of(order.depth_of(f), order.depth_of(seen), y), low, high);
+      const double x = std::clamp(order.crossing(f, seen, y), low, high);
       if (std::isnan(x)) continue;
       const bool nearer =
           next == kNone || x < first || (x == first && order.in_front(f, next, high, y));

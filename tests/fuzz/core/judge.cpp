@@ -54,17 +54,23 @@ Seen Judge::seen_in(const DensityRun& run) const {
   return seen;
 }
 
+/// Where light grazes a face, lit, shade and shadow are not told apart, nor their densities.
+bool Judge::grazed(Index face) const {
+  if (!in_.light || face == kNone) return false;
+  const Vec3 normal = in_.outward(in_.faces[face]);
+  return std::fabs(glm::dot(normal, *in_.light)) < kGrazing;
+}
+
 bool Judge::agree(const Seen& expected, const Seen& found) const {
+  if (expected.kind != Kind::cut || found.kind != Kind::cut) {
+    if (expected.body != found.body) return false;
+    if (!clipped_ && expected.face != found.face) return false;
+    if (grazed(expected.face)) return true;
+    if (expected.kind != found.kind) return false;
+  }
   const bool smooth = expected.body != kNone && in_.bodies[expected.body].smooth;
   const double allowed = smooth ? kSmoothDensityError : kFlatDensityError;
-  if (std::fabs(expected.density - found.density) > allowed) return false;
-  if (expected.kind == Kind::cut && found.kind == Kind::cut) return true;
-  if (expected.body != found.body) return false;
-  if (!clipped_ && expected.face != found.face) return false;
-  if (expected.kind == found.kind) return true;
-  if (!in_.light || expected.face == kNone) return false;
-  const Vec3 normal = in_.outward(in_.faces[expected.face]);
-  return std::fabs(glm::dot(normal, *in_.light)) < kGrazing;
+  return std::fabs(expected.density - found.density) <= allowed;
 }
 
 void Judge::judge(const DrawnLine& line) const {
