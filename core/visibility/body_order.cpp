@@ -3,10 +3,18 @@
 namespace overstrike {
 namespace {
 
-bool is_thin(const FrontBody& body, int axis) {
+/// It may show a face in the plane that bounds it, from either side: as thin as a sheet (the
+/// ground, which has no end, is not), or passing through itself.
+bool may_show_border(const FrontBody& body, int axis) {
   const Vec3 size = body.high - body.low;
   const double most = std::fmax(std::fmax(size.x, size.y), size.z);
-  return size[axis] <= kThinBody * most;
+  return !body.simple || (std::isfinite(most) && size[axis] <= kThinBody * most);
+}
+
+/// Faces of the two may have been given one plane.
+bool touch(const FrontBody& lower, const FrontBody& upper, int axis) {
+  const double size = std::fmax(std::fabs(lower.high[axis]), std::fabs(upper.low[axis]));
+  return upper.low[axis] - lower.high[axis] <= kThinBody * size;
 }
 
 /// Of a body below and one above a plane across the axis: 1 when the lower is in front. The plane
@@ -20,12 +28,14 @@ int lower_first(const FrontBody& lower, const FrontBody& upper, int axis, const 
 }  // namespace
 
 int order_of(const FrontBody& a, const FrontBody& b, const Vec4& eye) {
-  const bool may_tie = a.shares_plane && b.shares_plane;
   for (int axis = 0; axis < 3; ++axis) {
     const bool a_lower = a.high[axis] <= b.low[axis];
     if (!a_lower && !(b.high[axis] <= a.low[axis])) continue;
-    if (may_tie && (is_thin(a, axis) || is_thin(b, axis))) continue;
-    return a_lower ? lower_first(a, b, axis, eye) : -lower_first(b, a, axis, eye);
+    const FrontBody &lower = a_lower ? a : b, &upper = a_lower ? b : a;
+    if (touch(lower, upper, axis) && (may_show_border(a, axis) || may_show_border(b, axis)))
+      continue;
+    const int lower_in_front = lower_first(lower, upper, axis, eye);
+    return a_lower ? lower_in_front : -lower_in_front;
   }
   return (a.far_z > b.near_z) - (b.far_z > a.near_z);
 }

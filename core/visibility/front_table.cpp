@@ -26,7 +26,6 @@ class Builder {
   void project(Index number);
   void look_at_faces(Index number);
   void find_outline(Index number);
-  void find_shared_planes();
   void add_ground();
 
  private:
@@ -167,6 +166,7 @@ void Builder::look_at_faces(Index number) {
     walk = walk && walkable(f) && !(f.cut && turned(f));
   }
   front.triangles = triangles;
+  front.simple = body.simple;
   front.loose = front.seen && (!walk || (from_front && from_behind));
 }
 
@@ -287,30 +287,6 @@ void Builder::find_outline(Index number) {
   keep_outline(number);
 }
 
-bool is_thin(const FrontBody& body) {
-  const Vec3 size = body.high - body.low;
-  const double most = std::max({size.x, size.y, size.z});
-  return std::min({size.x, size.y, size.z}) <= kThinBody * most;
-}
-
-/// Only where something is flat can two seen faces on either side of a plane be in it.
-void Builder::find_shared_planes() {
-  if (std::none_of(table_.bodies.begin(), table_.bodies.end(),
-                   [](const FrontBody& b) { return b.seen && is_thin(b); }))
-    return;
-  std::vector<Index> owner(c_.planes.size(), kNone);
-  std::vector<char> shared(c_.planes.size(), 0);
-  for (Index i = 0; i < c_.faces.size(); ++i) {
-    if (!table_.seen(i)) continue;
-    const CanonicalFace& f = c_.faces[i];
-    if (owner[f.plane] == kNone) owner[f.plane] = f.body;
-    if (owner[f.plane] != f.body) shared[f.plane] = 1;
-  }
-  for (Index i = 0; i < c_.faces.size(); ++i)
-    if (table_.seen(i) && shared[c_.faces[i].plane])
-      table_.bodies[c_.faces[i].body].shares_plane = true;
-}
-
 /// A body of one face, after all others; in the world it is all that lies below it.
 void Builder::add_ground() {
   const Index plane = static_cast<Index>(c_.planes.size());
@@ -326,6 +302,7 @@ void Builder::add_ground() {
   ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
   ground.near_z = kInfinity, ground.far_z = -kInfinity;
   ground.seen = is_seen;
+  ground.simple = true;
   const double reach = std::max(table_.columns, table_.rows) + 1;
   ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
   if (!is_seen) return;
@@ -366,7 +343,6 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
     builder.find_outline(b);
   }
   if (use == FrontUse::outlines) return;
-  builder.find_shared_planes();
   builder.add_ground();
 }
 

@@ -89,7 +89,7 @@ struct alignas(64) FrontBody {
   bool triangles : 1 = false;  ///< all its faces are
   /// Its outline is not one chain of sides on the left and one on the right.
   bool broken : 1 = false;
-  bool shares_plane : 1 = false;  ///< a seen face lies in a plane with another body's, or may do
+  bool simple : 1 = false;  ///< known not to pass through itself
 
   Vec3 low, high;        ///< bounds in the world
   double near_z, far_z;  ///< of the depths of the seen faces

@@ -101,11 +101,28 @@ void Judge::judge(const DrawnLine& line, const Stretch& stretch, double s) const
   const Seen expected = oracle_.at(p.x, p.y);
   if (agree(expected, found) || oracle_.near_edge(p.x, p.y, oracle::kEdgeRadius)) return;
   if (is_uncertain(line, stretch, s)) return;
+  // A line along an edge of what is seen: neither side of it need show what the edge itself does.
+  if (is_on_border(expected.face, p) || is_on_border(found.face, p)) return;
   broken("the oracle sees what is drawn: at (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
          ") of the stretch from " + std::to_string(stretch.from) + " to " +
          std::to_string(stretch.to) + " along (" + std::to_string(line.line.direction.x) + ", " +
          std::to_string(line.line.direction.y) + ") the oracle sees " + text_of(expected) +
          ", found " + text_of(found));
+}
+
+bool Judge::is_on_border(Index face, const Vec2& p) const {
+  if (face == kNone) return false;
+  for (Index l = in_.faces[face].first_loop; l < in_.faces[face].end_loop; ++l) {
+    const auto loop = in_.loop(l);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a(view_.project(in_.vertices[loop[i]]));
+      const Vec2 along = Vec2(view_.project(in_.vertices[loop[(i + 1) % loop.size()]])) - a;
+      const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+      const Vec2 off = p - a - along * t;
+      if (glm::dot(off, off) < oracle::kEdgeRadius * oracle::kEdgeRadius) return true;
+    }
+  }
+  return false;
 }
 
 /// True when what ends the stretch is so ill conditioned that it may have ended before `s`.

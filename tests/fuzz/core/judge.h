@@ -20,6 +20,7 @@ class Judge {
   struct Stretch;
   oracle::Seen seen_in(const DensityRun& run) const;
   bool grazed(Index face) const;
+  bool is_on_border(Index face, const Vec2& p) const;
   bool agree(const oracle::Seen& expected, const oracle::Seen& found) const;
   void judge(const DrawnLine& line, const Stretch& stretch, double s) const;
   bool is_uncertain(const DrawnLine& line, const Stretch& stretch, double s) const;
