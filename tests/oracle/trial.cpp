@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "core/visibility/clip.h"
@@ -23,7 +25,9 @@ std::string to_text(const Seen& s) {
 }
 
 std::string place(const Vec2& p) {
-  return "at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + "): ";
+  std::ostringstream text;
+  text << std::setprecision(12) << "at (" << p.x << ", " << p.y << "): ";
+  return text.str();
 }
 
 Line line_of(const ScanFamily& family, std::int64_t index) {
