@@ -9,6 +9,7 @@
 #include "core/float_environment.h"
 #include "core/geometry/trig.h"
 #include "core/in_order.h"
+#include "core/visibility/bands.h"
 #include "core/visibility/canonical.h"
 #include "core/visibility/cell_scanner.h"
 #include "core/visibility/clip.h"
@@ -16,6 +17,7 @@
 #include "core/visibility/line_averager.h"
 #include "core/visibility/nn74/conditions.h"
 #include "core/visibility/nn74/paint.h"
+#include "core/visibility/run_shader.h"
 #include "core/visibility/scan_line.h"
 #include "core/visibility/shadows.h"
 #include "core/visibility/strokes.h"
@@ -131,8 +133,9 @@ class RowResolver {
 
 class ScannedRows : public RowResolver {
  public:
-  ScannedRows(const EyeTable& table, const Bands& bands, double tolerance)
-      : bands_(bands), scanner_(table, tolerance) {}
+  ScannedRows(const EyeTable& table, const Bands& bands, double tolerance,
+              std::function<std::unique_ptr<RunScanner>()> lines)
+      : bands_(bands), scanner_(table, tolerance, std::move(lines)) {}
   std::span<const float> resolve(std::int64_t row, std::size_t band) override {
     return scanner_.resolve(row, bands_.edges(band), bands_.flat_edges(band));
   }
@@ -166,8 +169,6 @@ struct Drawing::Impl {
     clip_near();
     if (options.method == Method::nn74) {
       prepare_nn74(scene);
-    } else {
-      prepare_lines();
     }
   }
 
@@ -175,7 +176,6 @@ struct Drawing::Impl {
        const DrawOptions& draw_options)
       : options(draw_options), grid(in_view.grid), view(in_view), whole(std::move(canonical)) {
     clip_near();
-    prepare_lines();
   }
 
   void clip_near() {
@@ -185,13 +185,41 @@ struct Drawing::Impl {
     timings.eye_ms += watch.ms();
   }
 
-  void prepare_lines() {
-    Stopwatch light_watch;
-    shadows = cast_shadows(*whole, seen(), view);
-    timings.light_ms += light_watch.ms();
-    Stopwatch table_watch;
-    table = std::make_unique<EyeTable>(seen(), view, *shadows);
-    timings.eye_ms += table_watch.ms();
+  /// I: the light's view, when it is first wanted; null without a light.
+  const ShadowCaster* caster() {
+    if (!caster_ && whole->light) {
+      Stopwatch watch;
+      caster_ = std::make_unique<ShadowCaster>(*whole, seen(), view);
+      timings.light_ms += watch.ms();
+    }
+    return caster_.get();
+  }
+  /// I: all shadows, for what cannot wait until a receiver is seen.
+  const std::vector<Shadow>& shadows() {
+    if (shadows_) return *shadows_;
+    const ShadowCaster* const casting = caster();
+    Stopwatch watch;
+    shadows_ = casting != nullptr ? casting->all() : std::vector<Shadow>{};
+    timings.light_ms += watch.ms();
+    return *shadows_;
+  }
+  /// II, for lines y = const.
+  const LineSource& lines() {
+    if (lines_) return *lines_;
+    const ShadowCaster* const casting = caster();
+    Stopwatch watch;
+    lines_ = std::make_unique<LineSource>(seen(), view, casting, density_tolerance());
+    timings.eye_ms += watch.ms();
+    return *lines_;
+  }
+  /// II, for cells.
+  const EyeTable& table() {
+    if (table_) return *table_;
+    const std::vector<Shadow>& cast = shadows();
+    Stopwatch watch;
+    table_ = std::make_unique<EyeTable>(seen(), view, cast);
+    timings.eye_ms += watch.ms();
+    return *table_;
   }
 
   void prepare_nn74(const Scene& scene) {
@@ -222,10 +250,13 @@ struct Drawing::Impl {
   std::shared_ptr<const Canonical> whole;
   Canonical cut;
   bool clipped = false;
-  std::optional<std::vector<Shadow>> shadows;  ///< of the line resolver; strokes need them too
-  std::unique_ptr<EyeTable> table;             ///< of the line resolver
+  // Of the line resolver, each made when it is first wanted.
+  std::unique_ptr<ShadowCaster> caster_;
+  std::optional<std::vector<Shadow>> shadows_;
+  std::unique_ptr<LineSource> lines_;
+  std::unique_ptr<EyeTable> table_;
   nn74::LightPhase light;
-  std::unique_ptr<nn74::PaintSource> painted;  ///< of NN74's method; else there is a table
+  std::unique_ptr<nn74::PaintSource> painted;  ///< of NN74's method
   std::vector<Diagnostic> warnings;
   Timings timings;
 
@@ -236,6 +267,7 @@ struct Drawing::Impl {
 };
 
 void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
+  if (!painted) table();
   Stopwatch watch;
   double output_ms = 0;
   const std::size_t columns = static_cast<std::size_t>(std::ceil(grid.columns));
@@ -244,9 +276,15 @@ void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
   const std::size_t at_once =
       std::clamp<std::size_t>(kMostCells / std::max<std::size_t>(columns, 1), 1, kMostRows);
   std::optional<Bands> bands;
-  if (table) bands.emplace(*table, static_cast<double>(at_once));
+  if (!painted) bands.emplace(*table_, static_cast<double>(at_once));
+  std::mutex crowded;
+  const auto lines_for_crowds = [&] {
+    const std::lock_guard lock(crowded);
+    return lines().scanner();
+  };
   Pool<RowResolver> resolvers([&]() -> std::unique_ptr<RowResolver> {
-    if (!painted) return std::make_unique<ScannedRows>(*table, *bands, options.tolerance);
+    if (!painted)
+      return std::make_unique<ScannedRows>(*table_, *bands, options.tolerance, lines_for_crowds);
     return std::make_unique<AveragedRows>(*painted, grid.columns, options.tolerance);
   });
   std::vector<std::vector<float>> slots(slots_for(options.threads));
@@ -302,7 +340,8 @@ void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, doub
         const std::size_t before = c.runs.size();
         scanner.resolve(at - frame.low.y, c.runs);
         const auto [t0, t1] = frame.within(at, grid);
-        shift_and_clip(c.runs, before, shift, t0, t1);
+        if (shift != 0 || t0 > 0 || t1 < grid.columns)
+          shift_and_clip(c.runs, before, shift, t0, t1);
         c.ends.push_back(c.runs.size());
       }
     });
@@ -328,7 +367,7 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
   const FamilyFrame frame(family, grid);
   if (family.angle_deg == 0) {
     if (painted) return scan(*painted, frame, 0, sink);
-    return scan(LineSource(*table, density_tolerance()), frame, 0, sink);
+    return scan(lines(), frame, 0, sink);
   }
   Stopwatch watch;
   View turned_view = turned(view, family.angle_deg, frame.origin(), 1);
@@ -339,9 +378,11 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
     timings.eye_ms += watch.ms();
     return scan(turned_picture, frame, frame.low.x, sink);
   }
-  const EyeTable turned_table(seen(), turned_view, *shadows);
-  timings.eye_ms += watch.ms();
-  scan(LineSource(turned_table, density_tolerance()), frame, frame.low.x, sink);
+  const ShadowCaster* const casting = caster();
+  Stopwatch table_watch;
+  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance());
+  timings.eye_ms += table_watch.ms();
+  scan(turned_lines, frame, frame.low.x, sink);
 }
 
 Drawing::Drawing(const Scene& scene, const Grid& grid, const DrawOptions& options) {
@@ -368,11 +409,11 @@ void Drawing::runs(const ScanFamily& family, const std::function<void(const RunR
 
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
   const FloatEnvironment ours;
-  Stopwatch watch;
   Impl& impl = *impl_;
-  if (!impl.shadows) impl.shadows = cast_shadows(*impl.whole, impl.seen(), impl.view);
+  const std::vector<Shadow>& shadows = impl.shadows();
+  Stopwatch watch;
   std::vector<Stroke> strokes =
-      visible_strokes(impl.seen(), impl.view, *impl.shadows, options, impl.options.tolerance);
+      visible_strokes(impl.seen(), impl.view, shadows, options, impl.options.tolerance);
   impl_->timings.scan_ms += watch.ms();
   return strokes;
 }

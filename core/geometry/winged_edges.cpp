@@ -9,6 +9,7 @@ namespace {
 struct HalfEdge {
   Index high;  ///< the higher vertex; the lower one is the bucket's number
   Index face;
+  Index corner;
   bool up;  ///< from the lower to the higher
 };
 
@@ -16,12 +17,12 @@ struct HalfEdge {
 class Buckets {
  public:
   explicit Buckets(const Polyhedron& p) : starts_(p.vertices.size() + 1, 0) {
-    each(p, [&](Index a, Index b, Index) { ++starts_[std::min(a, b) + 1]; });
+    each(p, [&](Index a, Index b, Index, Index) { ++starts_[std::min(a, b) + 1]; });
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     halves_.resize(starts_.back());
     std::vector<Index> next(starts_.begin(), starts_.end() - 1);
-    each(p, [&](Index a, Index b, Index face) {
-      halves_[next[std::min(a, b)]++] = {std::max(a, b), face, a < b};
+    each(p, [&](Index a, Index b, Index face, Index corner) {
+      halves_[next[std::min(a, b)]++] = {std::max(a, b), face, corner, a < b};
     });
   }
   std::size_t size() const { return starts_.size() - 1; }
@@ -36,7 +37,8 @@ class Buckets {
       for (Index l = p.first_loop(face); l < p.face_ends[face]; ++l) {
         const std::span<const Index> loop = p.loop(l);
         for (std::size_t i = 0; i < loop.size(); ++i)
-          visit(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], face);
+          visit(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], face,
+                p.first_index(l) + static_cast<Index>(i));
       }
   }
 
@@ -52,10 +54,12 @@ void pair_group(Index low, std::span<const HalfEdge> group, std::vector<EdgePair
   const std::size_t downs = group.size() - ups;
   for (std::size_t i = 0; i < std::max(ups, downs); ++i) {
     const Index high = group[0].high;
+    const HalfEdge none{high, kNoFace, kNoFace, false};
+    const HalfEdge& down = i < downs ? group[ups + i] : none;
     if (i < ups)
-      out.push_back({low, high, group[i].face, i < downs ? group[ups + i].face : kNoFace});
+      out.push_back({low, high, group[i].face, down.face, group[i].corner, down.corner});
     else
-      out.push_back({high, low, group[ups + i].face, kNoFace});
+      out.push_back({high, low, down.face, kNoFace, down.corner, kNoFace});
   }
 }
 
@@ -76,6 +80,16 @@ std::vector<EdgePair> pair_edges(const Polyhedron& polyhedron) {
     }
   }
   return pairs;
+}
+
+std::vector<Twin> twins_of(const Polyhedron& polyhedron, const std::vector<EdgePair>& edges) {
+  std::vector<Twin> twins(polyhedron.indices.size(), {kNoFace, kNoFace});
+  for (const EdgePair& e : edges) {
+    if (e.right == kNoFace) continue;
+    twins[e.left_corner] = {e.right_corner, e.right};
+    twins[e.right_corner] = {e.left_corner, e.left};
+  }
+  return twins;
 }
 
 }  // namespace overstrike

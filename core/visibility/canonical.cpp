@@ -185,7 +185,8 @@ class Assembler {
     for (Pattern& pattern : placed.patterns)
       for (Vec3& p : pattern.points) p = body.placement(p);
     if (!std::holds_alternative<FlatPolygon>(*body.shape)) warn(body, "flattened by its place");
-    add_placed(source, placed, prepare_shape(Shape(flat), 1, false));
+    flattened_.push_back(std::make_unique<PreparedShape>(prepare_shape(Shape(flat), 1, false)));
+    add_placed(source, placed, *flattened_.back());
   }
 
   void add_placed(Index source, const Body& body, const PreparedShape& shape) {
@@ -194,6 +195,8 @@ class Assembler {
     result.first_face = static_cast<Index>(out_.faces.size());
     result.first_edge = static_cast<Index>(out_.edges.size());
     result.first_vertex = static_cast<Index>(out_.vertices.size());
+    result.first_corner = static_cast<Index>(out_.corners.size());
+    result.first_twin = twins_of_shape(shape, mirrored);
     result.closed = shape.closed;
     result.smooth = body.shading == Shading::smooth;
     result.simple =
@@ -275,11 +278,17 @@ class Assembler {
       if (e.right != kNone)
         neighbours.emplace_back(out_.faces[e.left].plane, out_.faces[e.right].plane);
     const WeldedPlanes welded = weld_planes(samples_, points_, neighbours);
-    for (const Index sample : welded.representative)
-      out_.planes.push_back(upright(samples_[sample].fit));
+    // Planes in the order of the faces that lie in them first: who goes over faces in order finds
+    // their planes in order.
+    std::vector<Index> number(welded.representative.size(), kNone);
     for (std::size_t f = 0; f < out_.faces.size(); ++f) {
       CanonicalFace& face = out_.faces[f];
-      face.plane = welded.group[face.plane];
+      const Index group = welded.group[face.plane];
+      if (number[group] == kNone) {
+        number[group] = static_cast<Index>(out_.planes.size());
+        out_.planes.push_back(upright(samples_[welded.representative[group]].fit));
+      }
+      face.plane = number[group];
       face.flipped = glm::dot(normals_[f], out_.planes[face.plane].normal) < 0;
     }
     for (WingedEdge& e : out_.edges)
@@ -298,6 +307,27 @@ class Assembler {
     }
   }
 
+  /// Where the twins of the shape's corners begin. A mirrored loop runs backwards, so that a side
+  /// begins where its other end was.
+  Index twins_of_shape(const PreparedShape& shape, bool mirrored) {
+    Index& first = first_twin_.try_emplace({&shape, mirrored}, kNone).first->second;
+    if (first != kNone) return first;
+    first = static_cast<Index>(out_.twins.size());
+    const Polyhedron& p = shape.polyhedron;
+    const std::vector<Twin> twins = twins_of(p, shape.edges);
+    std::vector<Index> place(p.indices.size());
+    for (Index l = 0; l < p.loop_ends.size(); ++l) {
+      const Index start = p.first_index(l), n = p.loop_ends[l] - start;
+      for (Index i = 0; i < n; ++i)
+        place[start + i] = start + (mirrored ? n - 1 - i : i);
+    }
+    out_.twins.resize(first + twins.size());
+    for (std::size_t i = 0; i < twins.size(); ++i)
+      out_.twins[first + place[i]] =
+          twins[i].face == kNone ? twins[i] : Twin{place[twins[i].corner], twins[i].face};
+    return first;
+  }
+
   void add_patterns(const Body& body, Index number) {
     for (const Pattern& pattern : body.patterns) {
       CanonicalPattern placed{{}, number, pattern.pen};
@@ -311,6 +341,8 @@ class Assembler {
   double chord_cells_;
   std::vector<Diagnostic>& warnings_;
   std::map<std::tuple<const Shape*, double, bool>, std::unique_ptr<PreparedShape>> shapes_;
+  std::vector<std::unique_ptr<PreparedShape>> flattened_;
+  std::map<std::pair<const PreparedShape*, bool>, Index> first_twin_;
   bool any_smooth_ = false;
   std::vector<PlaneSample> samples_;  ///< until weld(), a face's plane is the number of its sample
   std::vector<Vec3> points_;          ///< of the samples

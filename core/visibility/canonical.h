@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/polyhedron.h"
+#include "core/geometry/winged_edges.h"
 #include "core/scene/scene.h"
 
 namespace overstrike {
@@ -42,10 +43,12 @@ struct CanonicalBody {
   Index first_face, end_face;
   Index first_edge, end_edge;
   Index first_vertex, end_vertex;
-  bool closed;  ///< every edge has two faces: back faces cannot be seen from outside
-  bool smooth;  ///< shaded by corner normals
-  bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
-  bool curved;  ///< its facets stand for a curved surface, to the tolerance
+  Index first_corner;
+  Index first_twin;  ///< in Canonical::twins: one per corner; copies share them
+  bool closed;       ///< every edge has two faces: back faces cannot be seen from outside
+  bool smooth;       ///< shaded by corner normals
+  bool simple;       ///< known not to pass through itself: every shape but a mesh and a sweep
+  bool curved;       ///< its facets stand for a curved surface, to the tolerance
   double density_factor;
   int pen;
   Index source;  ///< index into Scene::bodies
@@ -66,6 +69,7 @@ struct Canonical {
   std::vector<CanonicalFace> faces;
   std::vector<Plane> planes;
   std::vector<WingedEdge> edges;
+  std::vector<Twin> twins;  ///< corners and faces counted from their body's first ones
   std::vector<CanonicalBody> bodies;
   std::vector<CanonicalPattern> patterns;
   std::vector<Segment> segments;
@@ -73,9 +77,14 @@ struct Canonical {
   std::optional<double> ground_z;
   DensityLaw law;
 
+  Index first_corner(Index l) const { return l == 0 ? 0 : loop_ends[l - 1]; }
   std::span<const Index> loop(Index l) const {
-    const Index first = l == 0 ? 0 : loop_ends[l - 1];
-    return {corners.data() + first, corners.data() + loop_ends[l]};
+    return {corners.data() + first_corner(l), corners.data() + loop_ends[l]};
+  }
+  /// The other side of the edge that begins at a corner of the body's; face kNone at a border.
+  Twin twin(const CanonicalBody& body, Index corner) const {
+    const Twin t = twins[body.first_twin + (corner - body.first_corner)];
+    return t.face == kNone ? t : Twin{t.corner + body.first_corner, t.face + body.first_face};
   }
   /// Outward unit normal of a face.
   Vec3 outward(const CanonicalFace& f) const {

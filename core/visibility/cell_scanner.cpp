@@ -43,11 +43,12 @@ double edges_to_a_column(const EyeTable& table) {
 
 }  // namespace
 
-CellScanner::CellScanner(const EyeTable& table, double tolerance)
+CellScanner::CellScanner(const EyeTable& table, double tolerance,
+                         std::function<std::unique_ptr<RunScanner>()> lines)
     : table_(table),
       active_(table),
       cells_(static_cast<int>(std::ceil(table.columns))),
-      lines_(table, density_tolerance_of(tolerance)),
+      make_lines_(std::move(lines)),
       tolerance_(tolerance),
       most_edges_(table.columns * edges_to_a_column(table)) {}
 
@@ -91,8 +92,9 @@ std::span<const float> CellScanner::resolve(std::int64_t row, const std::vector<
   gather(edges, flat_edges);
   cells_.clear();
   if (crowded()) {
+    if (lines_ == nullptr) lines_ = make_lines_();
     average_lines(top_, tolerance_, cells_, runs_,
-                  [&](double y, std::vector<DensityRun>& runs) { lines_.resolve(y, edges, runs); });
+                  [&](double y, std::vector<DensityRun>& runs) { lines_->resolve(y, runs); });
     return cells_.finish();
   }
   double low = 0, high = table_.columns;

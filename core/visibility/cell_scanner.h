@@ -23,19 +23,24 @@
 // A row with so many edges, most of them hidden, that none of its columns is without several is
 // averaged over scan lines half the tolerance apart instead, for the same promise. Scenes of
 // flat-faced bodies, exact whatever the tolerance, are cut exactly up to five times the crowd.
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/visibility/active_faces.h"
 #include "core/visibility/cell_accumulator.h"
 #include "core/visibility/eye_table.h"
-#include "core/visibility/scan_line.h"
+#include "core/visibility/run_source.h"
+#include "core/visibility/span_split.h"
 
 namespace overstrike {
 
 /// Resolves rows of one picture, in any order. One a thread.
 class CellScanner {
  public:
-  CellScanner(const EyeTable& table, double tolerance);
+  /// `lines` makes a scanner of the same picture, for crowded rows.
+  CellScanner(const EyeTable& table, double tolerance,
+              std::function<std::unique_ptr<RunScanner>()> lines);
 
   /// The row's cells; valid until the next call. `edges`, `flat_edges`: at least those that meet
   /// [row, row + 1].
@@ -76,7 +81,8 @@ class CellScanner {
   const EyeTable& table_;
   ActiveFaces active_;
   CellAccumulator cells_;
-  LineScanner lines_;
+  std::function<std::unique_ptr<RunScanner>()> make_lines_;
+  std::unique_ptr<RunScanner> lines_;  ///< made for the first crowded row
   double tolerance_;
   double most_edges_;  ///< on a row that is cut exactly
   std::vector<DensityRun> runs_;

@@ -122,6 +122,7 @@ class Clipper {
 
   Canonical clip() {
     out_.planes = in_.planes;
+    out_.twins = in_.twins;
     out_.light = in_.light;
     out_.ground_z = in_.ground_z;
     out_.law = in_.law;
@@ -152,6 +153,7 @@ class Clipper {
     result.first_face = static_cast<Index>(out_.faces.size());
     result.first_edge = static_cast<Index>(out_.edges.size());
     result.first_vertex = static_cast<Index>(out_.vertices.size());
+    result.first_corner = static_cast<Index>(out_.corners.size());
     return result;
   }
   void end(CanonicalBody& body) {
@@ -229,7 +231,10 @@ class Clipper {
         smooth.insert(
             edge_key(in_.edges[e].from - body.first_vertex, in_.edges[e].to - body.first_vertex));
     const auto is_cap = [&](Index face) { return cut.face_source[face] == kCap; };
-    for (const EdgePair& e : pair_edges(cut.polyhedron)) {
+    const std::vector<EdgePair> pairs = pair_edges(cut.polyhedron);
+    result.first_twin = static_cast<Index>(out_.twins.size());
+    for (const Twin& twin : twins_of(cut.polyhedron, pairs)) out_.twins.push_back(twin);
+    for (const EdgePair& e : pairs) {
       const bool border = e.right == kNoFace;
       if (border) result.closed = false;
       const bool crease = border || is_cap(e.left) || is_cap(e.right) ||

@@ -1,5 +1,6 @@
 #include "core/visibility/depth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,25 +26,14 @@ Expansion minor3(const Mat4& m, int row, int column) {
          at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
 }
 
-int sign_of(double value) { return (value > 0) - (value < 0); }
-
-/// Sign of p . q over four components, exact.
-int sign_of_dot(const Vec4& p, const Vec4& q) {
-  double sum = 0, size = 0;
-  for (int i = 0; i < 4; ++i) sum += p[i] * q[i], size += std::fabs(p[i] * q[i]);
-  if (std::fabs(sum) > kDotError * size) return sign_of(sum);
-  Expansion exact;
-  for (int i = 0; i < 4; ++i) exact = exact + Expansion(p[i]) * Expansion(q[i]);
-  return exact.sign();
-}
-
 Vec4 homogeneous(const Plane& plane) { return Vec4(plane.normal, -plane.offset); }
 
 }  // namespace
 
-int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
-  const int side = sign_of_dot(homogeneous(plane), eye);
-  return flipped ? -side : side;
+int sign_of_dot_exactly(const Vec4& p, const Vec4& q) {
+  Expansion exact;
+  for (int i = 0; i < 4; ++i) exact = exact + Expansion(p[i]) * Expansion(q[i]);
+  return exact.sign();
 }
 
 int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction) {
@@ -54,81 +44,97 @@ int side_of_point(const Plane& plane, const Vec3& p) {
   return sign_of_dot(homogeneous(plane), Vec4(p, 1.0));
 }
 
-DepthField::DepthField(const std::vector<Plane>& planes, const View& view) : planes_(planes) {
-  std::array<std::array<double, 4>, 4> rounded;
+DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& further,
+                   const View& view)
+    : planes_(planes), further_(further) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       Expansion cofactor = minor3(view.matrix, j, i);
       if ((i + j) % 2 == 1) cofactor = -cofactor;
-      rounded[i][j] = cofactor.approximate();
+      rounded_[i][j] = cofactor.approximate();
       adjugate_[i][j] = std::move(cofactor);
     }
-  depths_.resize(planes.size());
-  seen_edge_on_.resize(planes.size(), 0);
-  for (Index p = 0; p < planes.size(); ++p) set_up(p, rounded);
 }
 
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
 // z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
-void DepthField::set_up(Index plane, const std::array<std::array<double, 4>, 4>& rounded) {
-  const Vec4 pi = homogeneous(planes_[plane]);
-  double value[4], error[4];
-  for (int j = 0; j < 4; ++j) {
-    double sum = 0, size = 0;
-    for (int i = 0; i < 4; ++i) {
-      sum += pi[i] * rounded[i][j];
-      size += std::fabs(pi[i] * rounded[i][j]);
+DepthMap::Image DepthMap::image(Index number) const {
+  const Vec4 pi = homogeneous(plane(number));
+  Image image{};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double term = pi[i] * rounded_[i][j];
+      image.value[j] += term;
+      image.size[j] += std::fabs(term);
     }
-    value[j] = sum;
-    error[j] = kDotError * size;
+  return image;
+}
+
+// |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
+// digits: e_j bound the errors of the components of pi', and the factor covers the rounding of this
+// and of z itself, which is at most as large.
+bool DepthMap::add_range(Index number, std::span<const Index> corners,
+                         const std::vector<Vec2>& points, const Vec2& reach, double& low,
+                         double& high) const {
+  const Image pi = image(number);
+  constexpr double kFirstDigits = 1e-3;
+  if (!(kDotError * pi.size[3] <= kFirstDigits * std::fabs(pi.value[3]))) {
+    low = -HUGE_VAL, high = HUGE_VAL;
+    return depth(number).has_value();
   }
+  const double over = -1 / pi.value[3];
+  const double a = pi.value[0] * over, b = pi.value[1] * over, c = pi.value[2] * over;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Index corner : corners) {
+    const Vec2& p = points[corner];
+    const double z = a * p.x + b * p.y + c;
+    least = std::min(least, z), most = std::max(most, z);
+  }
+  const double farthest = std::max(std::fabs(least), std::fabs(most));
+  const double size =
+      reach.x * pi.size[0] + reach.y * pi.size[1] + pi.size[2] + farthest * pi.size[3];
+  const double error = 4 * kDotError * size * std::fabs(over);
+  low = std::min(low, least - error), high = std::max(high, most + error);
+  return true;
+}
+
+std::optional<DepthPlane> DepthMap::depth(Index number) const {
+  const Image pi = image(number);
+  double value[4], error[4];
+  for (int j = 0; j < 4; ++j) value[j] = pi.value[j], error[j] = kDotError * pi.size[j];
   // Rows of the view's matrix are in the order x^, y^, w^, z^. When cancellation has left few
   // digits of pi'_z, take them exactly.
   constexpr double kDigitsWanted = 1e-13;
   if (error[3] > kDigitsWanted * std::fabs(value[3])) {
-    const std::array<Expansion, 4> sure = exact(plane);
+    const std::array<Expansion, 4> sure = exact(number);
     for (int j = 0; j < 4; ++j) {
       value[j] = sure[j].approximate();
       error[j] = 2 * kEps * std::fabs(value[j]);
     }
   }
-  DepthPlane& d = depths_[plane];
-  if (value[3] == 0) {
-    seen_edge_on_[plane] = 1;
-    d = {};
-    return;
-  }
+  if (value[3] == 0) return std::nullopt;
   const double over = 1 / value[3];
   const double relative =
       error[3] * std::fabs(over) + 4 * kEps;  // of 1 / pi'_z, products and the sum a x + b y + c
-  d = {-value[0] * over, -value[1] * over, -value[2] * over, 0, 0, 0};
+  DepthPlane d{-value[0] * over, -value[1] * over, -value[2] * over, 0, 0, 0};
   const auto bound = [&](double v, double e) {
     return 2 * (e * std::fabs(over) + std::fabs(v) * relative);
   };
   d.ea = bound(d.a, error[0]);
   d.eb = bound(d.b, error[1]);
   d.ec = bound(d.c, error[2]);
+  return d;
 }
 
-int DepthField::compare(Index f, Index g, double x, double y) const {
-  if (f == g) return 0;
-  const DepthPlane& p = depths_[f];
-  const DepthPlane& q = depths_[g];
-  const double difference = p.at(x, y) - q.at(x, y);
-  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
-  if (std::fabs(difference) > error) return sign_of(difference);
-  return compare_exactly(f, g, x, y);
-}
-
-std::array<Expansion, 4> DepthField::exact(Index plane) const {
-  const Vec4 pi = homogeneous(planes_[plane]);
+std::array<Expansion, 4> DepthMap::exact(Index number) const {
+  const Vec4 pi = homogeneous(plane(number));
   std::array<Expansion, 4> result;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) result[j] = result[j] + Expansion(pi[i]) * adjugate_[i][j];
   return result;
 }
 
-int DepthField::compare_exactly(Index f, Index g, double x, double y) const {
+int DepthMap::compare_exactly(Index f, Index g, double x, double y) const {
   const std::array<Expansion, 4> p = exact(f), q = exact(g);
   const auto over = [&](const std::array<Expansion, 4>& e) {
     return e[0] * Expansion(x) + e[1] * Expansion(y) + e[2];
@@ -136,6 +142,27 @@ int DepthField::compare_exactly(Index f, Index g, double x, double y) const {
   // z_f - z_g = -P/p3 + Q/q3, so its sign is that of (Q p3 - P q3) times those of p3 and q3.
   const Expansion difference = over(q) * p[3] - over(p) * q[3];
   return difference.sign() * p[3].sign() * q[3].sign();
+}
+
+namespace {
+const std::vector<Plane> kNoFurther;
+}
+
+DepthField::DepthField(const std::vector<Plane>& planes, const View& view)
+    : map_(planes, kNoFurther, view) {
+  depths_.reserve(planes.size());
+  seen_edge_on_.reserve(planes.size());
+  for (Index p = 0; p < planes.size(); ++p) {
+    const std::optional<DepthPlane> d = map_.depth(p);
+    depths_.push_back(d.value_or(DepthPlane{}));
+    seen_edge_on_.push_back(!d);
+  }
+}
+
+int DepthField::compare(Index f, Index g, double x, double y) const {
+  if (f == g) return 0;
+  const int side = compare_roughly(depths_[f], depths_[g], x, y);
+  return side != 0 ? side : map_.compare_exactly(f, g, x, y);
 }
 
 }  // namespace overstrike

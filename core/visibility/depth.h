@@ -2,6 +2,9 @@
 // Depth of planes in a view, compared exactly: error-bounded doubles first, expansions when those
 // cannot tell.
 #include <array>
+#include <cmath>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/geometry/expansion.h"
@@ -18,7 +21,47 @@ struct DepthPlane {
   double at(double x, double y) const { return a * x + b * y + c; }
 };
 
-/// The planes of a canonical input in one view.
+/// The depths of planes in one view, each found when asked for.
+class DepthMap {
+ public:
+  /// `planes` are numbered first, `further` after them. Both are kept by reference.
+  DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& further, const View& view);
+
+  const Plane& plane(Index number) const {
+    return number < planes_.size() ? planes_[number] : further_[number - planes_.size()];
+  }
+  /// nullopt when the plane passes through the eye (exactly): it has no depth.
+  std::optional<DepthPlane> depth(Index plane) const;
+  /// Sign of depth(f) - depth(g) at the point of the grid, in exact arithmetic: 1 when f is nearer.
+  int compare_exactly(Index f, Index g, double x, double y) const;
+  /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
+  /// `reach`: widens low..high. False when the plane passes through the eye.
+  bool add_range(Index plane, std::span<const Index> corners, const std::vector<Vec2>& points,
+                 const Vec2& reach, double& low, double& high) const;
+
+ private:
+  /// Of the plane as the view's matrix takes it: the components, and the sums of the sizes of their
+  /// terms.
+  struct Image {
+    double value[4], size[4];
+  };
+  Image image(Index plane) const;
+  std::array<Expansion, 4> exact(Index plane) const;
+
+  const std::vector<Plane>& planes_;
+  const std::vector<Plane>& further_;
+  std::array<std::array<Expansion, 4>, 4> adjugate_;
+  std::array<std::array<double, 4>, 4> rounded_;
+};
+
+/// Sign of the difference of two depths at the point of the grid where doubles can tell, else 0.
+inline int compare_roughly(const DepthPlane& p, const DepthPlane& q, double x, double y) {
+  const double difference = p.at(x, y) - q.at(x, y);
+  const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
+  return (difference > error) - (difference < -error);
+}
+
+/// All planes of a canonical input in one view.
 class DepthField {
  public:
   DepthField(const std::vector<Plane>& planes, const View& view);
@@ -30,19 +73,30 @@ class DepthField {
   int compare(Index f, Index g, double x, double y) const;
 
  private:
-  std::array<Expansion, 4> exact(Index plane) const;
-  int compare_exactly(Index f, Index g, double x, double y) const;
-  void set_up(Index plane, const std::array<std::array<double, 4>, 4>& rounded);
-
-  const std::vector<Plane>& planes_;
-  std::array<std::array<Expansion, 4>, 4> adjugate_;
+  DepthMap map_;
   std::vector<DepthPlane> depths_;
   std::vector<char> seen_edge_on_;
 };
 
+/// Sign of a . x + b . y + ... over four components, in exact arithmetic.
+int sign_of_dot_exactly(const Vec4& p, const Vec4& q);
+/// The same: by doubles where they can tell. Each product and each partial sum is rounded by half
+/// an eps: at most 2 eps of the sum of sizes, doubled to cover that this was itself rounded.
+inline int sign_of_dot(const Vec4& p, const Vec4& q) {
+  constexpr double kDotError = 4 * 0x1p-52;
+  const double t0 = p.x * q.x, t1 = p.y * q.y, t2 = p.z * q.z, t3 = p.w * q.w;
+  const double sum = ((t0 + t1) + t2) + t3;
+  const double size = ((std::fabs(t0) + std::fabs(t1)) + std::fabs(t2)) + std::fabs(t3);
+  if (std::fabs(sum) > kDotError * size) return sum > 0 ? 1 : -1;
+  return sign_of_dot_exactly(p, q);
+}
+
 /// Which side of the face's plane the eye is on: 1 outside (front), -1 behind, 0 in its plane.
 /// Exact (NN74 (4)).
-int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye);
+inline int side_of_eye(const Plane& plane, bool flipped, const Vec4& eye) {
+  const int side = sign_of_dot(Vec4(plane.normal, -plane.offset), eye);
+  return flipped ? -side : side;
+}
 /// Sign of dot(normal, direction), exact (NN74 (5)).
 int side_of_direction(const Plane& plane, bool flipped, const Vec3& direction);
 /// Sign of dot(normal, p) - offset, exact.

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "core/shading/density_law.h"
+#include "core/visibility/ground_polygon.h"
 #include "core/visibility/interpenetration.h"
+#include "core/visibility/tie.h"
 
 namespace overstrike {
 namespace {
@@ -199,38 +201,14 @@ void Builder::add_edge(const Projected& a, const Projected& b, Index f, Index g,
   table_.edges.push_back(e);
 }
 
-/// Keeps the part of a polygon of the grid where a x + b y + c >= 0.
-std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Vec3& line) {
-  std::vector<Vec2> result;
-  const auto side = [&](const Vec2& p) { return line.x * p.x + line.y * p.y + line.z; };
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[(i + 1) % polygon.size()];
-    const double fa = side(a), fb = side(b);
-    if (fa >= 0) result.push_back(a);
-    if ((fa < 0 && fb > 0) || (fa > 0 && fb < 0)) result.push_back(a + (b - a) * (fa / (fa - fb)));
-  }
-  return result;
-}
-
-/// The ground's part of the grid: below the horizon, and no nearer than the near plane, both
-/// straight lines there.
 void Builder::add_ground() {
-  if (!c_.ground_z || !(view_.eye.z - *c_.ground_z * view_.eye.w > 0)) return;
   const Index plane = static_cast<Index>(c_.planes.size());
-  if (!table_.depths.has_depth(plane)) return;
-  const DepthPlane& d = table_.depths[plane];
-  std::vector<Vec2> polygon{{-1, -1},
-                            {table_.columns + 1, -1},
-                            {table_.columns + 1, table_.rows + 1},
-                            {-1, table_.rows + 1}};
-  const auto keep_between = [&](const DepthPlane& near, const DepthPlane& far) {
-    polygon = cut(polygon, Vec3(near.a - far.a, near.b - far.b, near.c - far.c));
-  };
-  const Index infinity = plane + 1, near_plane = plane + 2;
-  if (view_.perspective) keep_between(d, table_.depths[infinity]);
-  if (view_.near_plane && table_.depths.has_depth(near_plane))
-    keep_between(table_.depths[near_plane], d);
+  const std::vector<Vec2> polygon =
+      ground_polygon(c_, view_, [&](GroundPlane p) -> std::optional<DepthPlane> {
+        if (!table_.depths.has_depth(plane + p)) return std::nullopt;
+        return table_.depths[plane + p];
+      });
+  if (polygon.empty()) return;
   table_.ground = static_cast<Index>(table_.faces.size());
   EyeFace ground{};
   ground.plane = plane;
@@ -262,24 +240,11 @@ void Builder::add_shadows(const std::vector<Shadow>& shadows) {
   }
 }
 
-/// The canonical input's planes, the ground, the plane at infinity (the horizon) and the near
-/// plane.
+/// The canonical input's planes and those that bound the ground.
 std::vector<Plane> with_ground(const Canonical& c, const View& view) {
   std::vector<Plane> planes = c.planes;
-  planes.push_back({Vec3(0, 0, 1), c.ground_z.value_or(0)});
-  planes.push_back({Vec3(0), -1});
-  if (view.near_plane) planes.push_back(*view.near_plane);
+  for (const Plane& plane : ground_planes(c, view)) planes.push_back(plane);
   return planes;
-}
-
-/// The vertices of a face in increasing order, for ties.
-std::vector<std::array<double, 3>> sorted_vertices(const Canonical& c, Index face) {
-  std::vector<std::array<double, 3>> result;
-  for (Index l = c.faces[face].first_loop; l < c.faces[face].end_loop; ++l)
-    for (const Index v : c.loop(l))
-      result.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 }  // namespace
@@ -304,13 +269,7 @@ bool EyeTable::wins_tie(Index f, Index g) const {
   const EyeFace& b = faces[g];
   if (f == ground || g == ground) return g == ground;
   if (a.density != b.density) return a.density > b.density;
-  const Plane& p = planes[a.plane];
-  const Plane& q = planes[b.plane];
-  const std::array<double, 4> pa{p.normal.x, p.normal.y, p.normal.z, p.offset};
-  const std::array<double, 4> qa{q.normal.x, q.normal.y, q.normal.z, q.offset};
-  if (pa != qa) return pa < qa;
-  const auto va = sorted_vertices(canonical, a.surface), vb = sorted_vertices(canonical, b.surface);
-  return va != vb ? va < vb : f < g;
+  return a.surface != b.surface ? precedes(canonical, a.surface, b.surface) : f < g;
 }
 
 }  // namespace overstrike

@@ -1,5 +1,6 @@
 #pragma once
 // Phase II: what the eye can see of a canonical input, laid out for scanning.
+#include <array>
 #include <vector>
 
 #include "core/visibility/canonical.h"
@@ -33,9 +34,9 @@ struct EyeFace {
 /// shadow_slot.
 struct ScanEdge {
   double x0, y0, x1, y1;
-  double slope;    ///< dx/dy
-  double x_error;  ///< bound on the error of x_at, from the projection's rounding
-  Index faces[2];  ///< in EyeTable::faces; kNone where there is none
+  double slope;                ///< dx/dy
+  double x_error;              ///< bound on the error of x_at, from the projection's rounding
+  std::array<Index, 2> faces;  ///< in EyeTable::faces; kNone where there is none
   Index shadow_slot;
   int winding;
 
@@ -52,7 +53,9 @@ struct FlatEdge {
 struct EyeTable {
   EyeTable(const Canonical& canonical, const View& view, const std::vector<Shadow>& shadows);
 
-  bool is_ground(Index face) const { return face == ground; }
+  std::size_t face_count() const { return faces.size(); }
+  Index plane_of(Index face) const { return faces[face].plane; }
+  bool crosses(Index face) const { return faces[face].may_cross; }
   /// True when f hides g at a point of equal depth: the darker, then the lexicographically smaller
   /// plane and vertices.
   bool wins_tie(Index f, Index g) const;

@@ -3,11 +3,22 @@
 // the receivers' planes.
 //
 // A point Q of a face that the light faces is in shadow when another face that faces the light lies
-// over it, seen from the light, on the light's side of its plane. Each such face, cut to the
-// light's side of the receiver's plane, leaves a closed polygon there; where several overlap they
-// are counted, and any count but zero is shadow. Borders that two casters share cancel, so that a
-// body leaves its contour as seen from the light and nothing else. A face never shadows its own
-// plane: vertices of the receiver's plane identity are on it by topology, not by distance.
+// over it, seen from the light, on the light's side of its plane. The casters over a receiver leave
+// closed polygons there, which are counted where they overlap; any count but zero is shadow. A face
+// never shadows its own plane: vertices of the receiver's plane identity are on it by topology, not
+// by distance.
+//
+// Steps, for one receiver:
+//  1. Bodies whose bounds across the light meet the receiver's are looked at, one by one.
+//  2. A body whose front towards the light can be walked (front_table.h) leaves its outline, and
+//     nothing on itself. Where it lies wholly above the receiver its outline alone decides: all of
+//     the receiver inside is covered, and no other body need be asked; outside is nothing; else the
+//     sides of the outline that pass by are left as a polygon.
+//  3. Where it lies beside the receiver in height, or cannot be walked, its faces over the receiver
+//     are cut to the light's side of its plane and left one by one; borders that two of them share
+//     cancel.
+//  4. A receiver that no border passes over is in shadow all over or not at all.
+#include <memory>
 #include <vector>
 
 #include "core/visibility/canonical.h"
@@ -30,9 +41,39 @@ struct Shadow {
   std::vector<ShadowEdge> edges;
 };
 
-/// `whole` casts; `seen` (the same, or what near clipping left of it) receives. Receivers are the
-/// faces that both the light and the eye see from the same side, and the ground. Sorted by
-/// receiver; receivers without shadow are left out.
+/// Casts shadows, on any number of threads.
+class ShadowCaster {
+ public:
+  /// `whole` casts; `seen` (the same, or what near clipping left of it) receives. Both must outlive
+  /// this. Without a light nothing is cast.
+  ShadowCaster(const Canonical& whole, const Canonical& seen, const View& view);
+  ~ShadowCaster();
+
+  /// What one thread needs.
+  class Scratch {
+   public:
+    Scratch();
+    ~Scratch();
+    Scratch(Scratch&&) noexcept;
+
+   private:
+    friend class ShadowCaster;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+  };
+  /// False when the receiver is none: a face that the light and the eye do not see from the same
+  /// side, a cut.
+  bool receives(Index receiver) const;
+  /// The shadow on a receiver, which may be empty.
+  Shadow on(Index receiver, Scratch& scratch) const;
+  /// All shadows, by receiver; receivers without shadow are left out.
+  std::vector<Shadow> all() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
 std::vector<Shadow> cast_shadows(const Canonical& whole, const Canonical& seen, const View& view);
 
 }  // namespace overstrike

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/visibility/canonical.h"
-#include "core/visibility/light_grid.h"
+#include "core/visibility/light_frame.h"
 #include "core/visibility/view.h"
 
 namespace overstrike::nn74 {

@@ -1,0 +1,32 @@
+#include "core/visibility/face_order.h"
+
+#include "core/visibility/tie.h"
+
+namespace overstrike {
+
+const DepthPlane& FaceOrder::depth_of(Index face) const {
+  Cached& cached = cache_[face % kCached];
+  if (cached.face != face) cached = {face, *table_.depths.depth(table_.plane_of(face))};
+  return cached.depth;
+}
+
+int FaceOrder::compare(Index f, Index g, double x, double y) const {
+  const Index p = plane_of(f), q = plane_of(g);
+  if (p == q) return 0;
+  const DepthPlane of_f = depth_of(f);
+  const int side = compare_roughly(of_f, depth_of(g), x, y);
+  return side != 0 ? side : table_.depths.compare_exactly(p, q, x, y);
+}
+
+bool FaceOrder::in_front(Index f, Index g, double x, double y) const {
+  const int side = compare(f, g, x, y);
+  return side != 0 ? side > 0 : wins_tie(f, g);
+}
+
+bool FaceOrder::wins_tie(Index f, Index g) const {
+  if (f == table_.ground() || g == table_.ground()) return g == table_.ground();
+  const double a = table_.tones[f].density, b = table_.tones[g].density;
+  return a != b ? a > b : precedes(table_.canonical, f, g);
+}
+
+}  // namespace overstrike

@@ -1,0 +1,41 @@
+#pragma once
+// How the seen faces of a FrontTable lie to one another in depth. One a thread.
+#include <memory>
+#include <vector>
+
+#include "core/visibility/front_table.h"
+
+namespace overstrike {
+
+class FaceOrder {
+ public:
+  explicit FaceOrder(const FrontTable& table) : table_(table), cache_(kCached) {}
+
+  std::size_t face_count() const { return table_.tones.size(); }
+  Index plane_of(Index face) const { return table_.plane_of(face); }
+  /// A body that is not known to be simple may pass through itself; other bodies are asked for
+  /// elsewhere.
+  bool crosses(Index face) const {
+    return !table_.canonical.bodies[table_.tones[face].body].simple;
+  }
+  /// Precondition: the face is seen.
+  const DepthPlane& depth_of(Index face) const;
+  /// Sign of depth(f) - depth(g) at the point of the grid, exact: 1 when f is nearer.
+  int compare(Index f, Index g, double x, double y) const;
+  /// f before g at the point, ties decided: the ground last, the darker first.
+  bool in_front(Index f, Index g, double x, double y) const;
+
+ private:
+  bool wins_tie(Index f, Index g) const;
+
+  /// Depths are found when they are wanted; few faces meet others.
+  static constexpr std::size_t kCached = 1024;
+  struct Cached {
+    Index face = kNone;
+    DepthPlane depth;
+  };
+  const FrontTable& table_;
+  mutable std::vector<Cached> cache_;
+};
+
+}  // namespace overstrike

@@ -1,0 +1,339 @@
+#include "core/visibility/front_table.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/shading/density_law.h"
+#include "core/visibility/ground_polygon.h"
+
+namespace overstrike {
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A body whose outline begins twice at more than this part of its levels gets an active edge list
+/// at all of them.
+constexpr double kMostManifold = 1.0 / 8;
+/// Sides that are looked at one by one on every level, rather than walked once for several; and the
+/// levels over which that pays.
+constexpr std::size_t kFewSides = 16;
+constexpr double kFewLevels = 8;
+class Builder {
+ public:
+  explicit Builder(FrontTable& table) : table_(table), c_(table.canonical), view_(table.view) {}
+
+  void project(Index number);
+  void look_at_faces(Index number);
+  void find_outline(Index number);
+  void find_shared_planes();
+  void add_ground();
+
+ private:
+  bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
+  bool walkable(const CanonicalFace& f) const;
+  void add_side(const WingedEdge& edge, bool left_seen);
+  void add_small_side(const WingedEdge& edge);
+  void keep_outline(Index number);
+  Index corner_of(Index face, Index vertex) const;
+  void note_manifold_levels(Index number);
+
+  FrontTable& table_;
+  const Canonical& c_;
+  const View& view_;
+  Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
+  std::vector<OutlineSide> left_, right_;
+  std::vector<SmallSide> all_;  ///< of a body in a picture, as long as they are few
+};
+
+// Each of x^, y^, w^ is a sum of four products, rounded by at most 2 eps sum |terms|; the quotient
+// adds an eps. Bounded for all vertices of a body at once.
+void Builder::project(Index number) {
+  const CanonicalBody& body = c_.bodies[number];
+  FrontBody& front = table_.bodies[number];
+  front.low = Vec3(kInfinity), front.high = Vec3(-kInfinity);
+  double least_w = kInfinity;
+  Vec2 most(0.0);
+  const Mat4& m = view_.matrix;
+  for (Index v = body.first_vertex; v < body.end_vertex; ++v) {
+    const Vec3& p = c_.vertices[v];
+    front.low = glm::min(front.low, p), front.high = glm::max(front.high, p);
+    const double x = m[0][0] * p.x + m[1][0] * p.y + m[2][0] * p.z + m[3][0];
+    const double y = m[0][1] * p.x + m[1][1] * p.y + m[2][1] * p.z + m[3][1];
+    Vec2 at(x, y);
+    if (view_.perspective) {
+      const double w = m[0][2] * p.x + m[1][2] * p.y + m[2][2] * p.z + m[3][2];
+      least_w = std::min(least_w, std::fabs(w));
+      at = Vec2(x / w, y / w);
+    }
+    table_.points[v] = at;
+    most = glm::max(most, glm::abs(at));
+  }
+  reach_ = most;
+  if (body.first_vertex == body.end_vertex) return;
+  Vec4 size = glm::abs(m[3]);
+  const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
+  for (int column = 0; column < 3; ++column) size += glm::abs(m[column]) * reach[column];
+  const double far = std::max(most.x, most.y);
+  if (!view_.perspective) least_w = 1;
+  const double error = 2 * kEps * (std::max(size.x, size.y) + size.z * far) / least_w + kEps * far;
+  // The ends' own errors, moved along by the slope, and the rounding of x_at itself.
+  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y};
+}
+
+bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const {
+  if (f.cut || !c_.bodies[f.body].smooth || c_.corner_normals.empty() || !c_.light) return false;
+  if (f.end_loop - f.first_loop != 1) return false;
+  const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.first_loop];
+  const auto density = [&](Index i) {
+    return lit_density(c_, c_.bodies[f.body],
+                       behind ? -c_.corner_normals[i] : c_.corner_normals[i]);
+  };
+  const double at_first = density(first);
+  bool varies = false;
+  double sum = at_first;
+  for (Index i = first + 1; i < end; ++i) {
+    const double d = density(i);
+    varies = varies || d != at_first;
+    sum += d;
+  }
+  mean = sum / (end - first);
+  return varies;
+}
+
+/// A loop that goes up once and down once meets every level in two sides.
+bool Builder::walkable(const CanonicalFace& f) const {
+  if (f.end_loop - f.first_loop != 1) return false;
+  const std::span<const Index> loop = c_.loop(f.first_loop);
+  if (loop.size() == 3) return true;
+  int turns = 0, direction = 0, first_direction = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double step =
+        table_.points[loop[i + 1 == loop.size() ? 0 : i + 1]].y - table_.points[loop[i]].y;
+    const int now = (step > 0) - (step < 0);
+    if (now == 0) continue;
+    if (first_direction == 0) first_direction = now;
+    turns += direction != 0 && now != direction;
+    direction = now;
+  }
+  turns += direction != first_direction;
+  return turns <= 2;
+}
+
+void Builder::look_at_faces(Index number) {
+  const CanonicalBody& body = c_.bodies[number];
+  FrontBody& front = table_.bodies[number];
+  front.near_z = -kInfinity, front.far_z = kInfinity;
+  bool from_front = false, from_behind = false, walk = true, triangles = true;
+  for (Index i = body.first_face; i < body.end_face; ++i) {
+    const CanonicalFace& f = c_.faces[i];
+    triangles = triangles && c_.loop_ends[f.end_loop - 1] - c_.first_corner(f.first_loop) == 3;
+    const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
+    const bool behind = side < 0;
+    if (side == 0 || (behind && body.closed && !f.cut)) continue;
+    // The depth of a plane over a face is extreme at its corners.
+    const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
+    if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
+                                 table_.points, reach_, front.far_z, front.near_z))
+      continue;
+    table_.sides[i] = behind ? -1 : 1;
+    if (table_.use == FrontUse::picture) {
+      FaceTone& tone = table_.tones[i];
+      tone.body = number;
+      const FaceShade shade = shade_of(c_, f, behind);
+      tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
+      tone.density = shade.density;
+      tone.smooth = is_smooth(f, behind, tone.density);
+    }
+    front.seen = true;
+    (behind ? from_behind : from_front) = true;
+    walk = walk && walkable(f);
+  }
+  front.triangles = triangles;
+  front.loose = front.seen && (!walk || (from_front && from_behind));
+}
+
+Index Builder::corner_of(Index face, Index vertex) const {
+  const CanonicalFace& f = c_.faces[face];
+  const Index end = c_.loop_ends[f.end_loop - 1];
+  for (Index i = c_.first_corner(f.first_loop); i < end; ++i)
+    if (c_.corners[i] == vertex) return i;
+  return kNone;
+}
+
+void Builder::add_small_side(const WingedEdge& edge) {
+  const Vec2 &a = table_.points[edge.from], &b = table_.points[edge.to];
+  if (a.y == b.y) return;
+  const Index left = table_.seen(edge.left) ? edge.left : kNone;
+  const Index right = table_.seen(edge.right) ? edge.right : kNone;
+  // What goes down in a face's loop has the face on its right, when it is seen from its front.
+  const bool down = a.y < b.y;
+  const bool ahead = down != table_.from_behind(left != kNone ? left : right);
+  all_.push_back(
+      {down ? LevelLine(a, b) : LevelLine(b, a), ahead ? right : left, ahead ? left : right});
+}
+
+void Builder::add_side(const WingedEdge& edge, bool left_seen) {
+  const Index from = left_seen ? edge.from : edge.to, to = left_seen ? edge.to : edge.from;
+  const Index face = left_seen ? edge.left : edge.right;
+  const Vec2 &a = table_.points[from], &b = table_.points[to];
+  if (a.y == b.y) return;
+  const Side side{corner_of(face, from), face};
+  const bool down = a.y < b.y;
+  // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
+  (down != table_.from_behind(face) ? left_ : right_)
+      .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+}
+
+/// Closed loops begin as often as they end, so that the beginnings tell for both.
+void Builder::note_manifold_levels(Index number) {
+  FrontBody& front = table_.bodies[number];
+  const std::size_t before = table_.manifold.size();
+  double end = -kInfinity, sum = 0;
+  for (const OutlineSide& side : left_) {
+    if (side.line.y0 < end) {
+      const double high = std::min(end, side.line.y1);
+      table_.manifold.push_back({side.line.y0, high});
+      sum += high - side.line.y0;
+    }
+    end = std::max(end, side.line.y1);
+  }
+  front.top = left_.empty() ? 0 : left_.front().line.y0;
+  front.bottom = left_.empty() ? 0 : end;
+  front.loose = sum > kMostManifold * (front.bottom - front.top);
+  if (front.loose) table_.manifold.resize(before);
+  front.first_manifold = static_cast<Index>(before);
+  front.end_manifold = static_cast<Index>(table_.manifold.size());
+  const auto broken = [](const std::vector<OutlineSide>& sides) {
+    for (std::size_t i = 1; i < sides.size(); ++i)
+      if (sides[i].line.y0 != sides[i - 1].line.y1) return true;
+    return false;
+  };
+  front.broken = broken(left_) || broken(right_);
+}
+
+void Builder::keep_outline(Index number) {
+  FrontBody& front = table_.bodies[number];
+  const auto by_level = [](const OutlineSide& a, const OutlineSide& b) {
+    return a.line.y0 != b.line.y0 ? a.line.y0 < b.line.y0 : a.side.corner < b.side.corner;
+  };
+  std::sort(left_.begin(), left_.end(), by_level);
+  std::sort(right_.begin(), right_.end(), by_level);
+  note_manifold_levels(number);
+  if (front.loose) return;
+  const bool low = front.bottom - front.top <= kFewLevels || number == table_.ground_body();
+  front.small = low && !front.broken && !all_.empty() && all_.size() <= kFewSides;
+  if (front.small) {
+    front.first_left = static_cast<Index>(table_.small_sides.size());
+    table_.small_sides.insert(table_.small_sides.end(), all_.begin(), all_.end());
+    front.end_left = static_cast<Index>(table_.small_sides.size());
+    return;
+  }
+  const auto append = [&](const std::vector<OutlineSide>& sides, Index& first, Index& end) {
+    first = static_cast<Index>(table_.outlines.size());
+    table_.outlines.insert(table_.outlines.end(), sides.begin(), sides.end());
+    end = static_cast<Index>(table_.outlines.size());
+  };
+  append(left_, front.first_left, front.end_left);
+  append(right_, front.first_right, front.end_right);
+}
+
+void Builder::find_outline(Index number) {
+  const CanonicalBody& body = c_.bodies[number];
+  const FrontBody& front = table_.bodies[number];
+  if (!front.seen || front.loose) return;
+  left_.clear(), right_.clear(), all_.clear();
+  const bool picture = table_.use == FrontUse::picture;
+  for (Index e = body.first_edge; e < body.end_edge; ++e) {
+    const WingedEdge& edge = c_.edges[e];
+    const bool left = table_.seen(edge.left), right = table_.seen(edge.right);
+    if (left != right) add_side(edge, left);
+    if ((left || right) && picture && all_.size() <= kFewSides) add_small_side(edge);
+  }
+  keep_outline(number);
+}
+
+bool is_thin(const FrontBody& body) {
+  const Vec3 size = body.high - body.low;
+  const double most = std::max({size.x, size.y, size.z});
+  return std::min({size.x, size.y, size.z}) <= kThinBody * most;
+}
+
+/// Only where something is flat can two seen faces on either side of a plane be in it.
+void Builder::find_shared_planes() {
+  if (std::none_of(table_.bodies.begin(), table_.bodies.end(),
+                   [](const FrontBody& b) { return b.seen && is_thin(b); }))
+    return;
+  std::vector<Index> owner(c_.planes.size(), kNone);
+  std::vector<char> shared(c_.planes.size(), 0);
+  for (Index i = 0; i < c_.faces.size(); ++i) {
+    if (!table_.seen(i)) continue;
+    const CanonicalFace& f = c_.faces[i];
+    if (owner[f.plane] == kNone) owner[f.plane] = f.body;
+    if (owner[f.plane] != f.body) shared[f.plane] = 1;
+  }
+  for (Index i = 0; i < c_.faces.size(); ++i)
+    if (table_.seen(i) && shared[c_.faces[i].plane])
+      table_.bodies[c_.faces[i].body].shares_plane = true;
+}
+
+/// A body of one face, after all others; in the world it is all that lies below it.
+void Builder::add_ground() {
+  const Index plane = static_cast<Index>(c_.planes.size());
+  const std::vector<Vec2> polygon =
+      ground_polygon(c_, view_, [&](GroundPlane p) { return table_.depths.depth(plane + p); });
+  const Index number = table_.ground_body();
+  FaceTone& tone = table_.tones[table_.ground()];
+  tone.body = kNone;
+  tone.kind = Kind::lit;
+  const bool is_seen = polygon.size() > 2;
+  table_.sides[table_.ground()] = is_seen;
+  FrontBody& ground = table_.bodies[number];
+  ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
+  ground.near_z = kInfinity, ground.far_z = -kInfinity;
+  ground.seen = is_seen;
+  const double reach = std::max(table_.columns, table_.rows) + 1;
+  ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
+  if (!is_seen) return;
+  left_.clear(), right_.clear(), all_.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    if (a.y == b.y) continue;
+    const bool down = a.y < b.y;
+    const Side side{kNone, table_.ground()};
+    (down ? right_ : left_)
+        .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+    all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? table_.ground() : kNone,
+                    down ? kNone : table_.ground()});
+  }
+  keep_outline(number);
+}
+
+}  // namespace
+
+FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, FrontUse for_use)
+    : canonical(canonical_input),
+      view(in_view),
+      use(for_use),
+      columns(view.grid.columns),
+      rows(view.grid.rows),
+      points(canonical.vertices.size()),
+      sides(canonical.faces.size() + 1),
+      tones(use == FrontUse::picture ? canonical.faces.size() + 1 : 0),
+      bodies(canonical.bodies.size() + 1),
+      further_planes(ground_planes(canonical, view)),
+      depths(canonical.planes, further_planes, view) {
+  // Room, not memory, until it is used.
+  if (use == FrontUse::picture) small_sides.reserve(canonical.edges.size());
+  Builder builder(*this);
+  for (Index b = 0; b < canonical.bodies.size(); ++b) {
+    builder.project(b);
+    builder.look_at_faces(b);
+    builder.find_outline(b);
+  }
+  if (use == FrontUse::outlines) return;
+  builder.find_shared_planes();
+  builder.add_ground();
+}
+
+}  // namespace overstrike

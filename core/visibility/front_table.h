@@ -1,0 +1,133 @@
+#pragma once
+// Phase II for scan lines: what of each body faces the eye.
+//
+// The *front* of a body is the set of its faces that are seen from outside. It is bounded by
+// *outline* sides: sides of seen faces whose other side is not seen. Seen faces all turn the same
+// way in the grid, so at a level y a point is covered by as many of them as outline sides begin to
+// its left less those that end: where one outline side begins the front and one ends it, every
+// point between lies under exactly one seen face, and walking from face to face along the level
+// finds them in order (NN74, scan). Nothing is asked of the body's shape for that; convex bodies
+// have such a front at every level, others at some or none.
+//
+// A body that has no such front at too many levels, or that is seen from both sides, is *loose*:
+// its edges are laid out for an active edge list (loose_edges.h).
+#include <optional>
+#include <vector>
+
+#include "core/visibility/canonical.h"
+#include "core/visibility/depth.h"
+#include "core/visibility/view.h"
+
+namespace overstrike {
+
+/// A straight line of the grid that is met by the levels y0 <= y < y1.
+struct LevelLine {
+  double x0, y0, y1;
+  double slope;  ///< dx/dy
+
+  LevelLine() = default;
+  /// Precondition: the first point lies above the second, y_top < y_bottom.
+  LevelLine(const Vec2& top, const Vec2& bottom)
+      : x0(top.x), y0(top.y), y1(bottom.y), slope((bottom.x - top.x) / (bottom.y - top.y)) {}
+  /// Evaluated from the end, never accumulated: jumping to a level equals stepping to it.
+  double x_at(double y) const { return x0 + (y - y0) * slope; }
+};
+
+/// Bound on the error of LevelLine::x_at: constant + per_slope * |slope|.
+struct LineError {
+  double constant = 0, per_slope = 0;
+  double of(const LevelLine& line) const { return constant + per_slope * std::fabs(line.slope); }
+};
+
+/// A side of a seen face: it begins at the corner and ends at the next one of its loop.
+struct Side {
+  Index corner, face;
+};
+
+struct OutlineSide {
+  LevelLine line;
+  double x1;  ///< where it ends, at line.y1
+  Side side;
+};
+
+/// What a face looks like away from shadows.
+struct FaceTone {
+  double density;  ///< of a smooth face: the mean of its corners
+  Index body;
+  Kind kind;
+  bool smooth;
+};
+
+/// What is thinner than this part of its size may lie in a plane with a face of another body on
+/// either side of it: it is looked at as if it were flat.
+constexpr double kThinBody = 0x1p-20;
+
+/// A side of a body with few of them, and the seen faces on either hand (kNone: none).
+struct SmallSide {
+  LevelLine line;
+  Index left, right;
+};
+
+/// In two lines of cache: what a level asks of every body near it, and what is asked of two that
+/// overlap on it.
+struct alignas(64) FrontBody {
+  double top = 0, bottom = 0;  ///< levels between which something is seen
+  LineError line_error;
+  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0; of a small body
+                                               ///< all its sides, in FrontTable::small_sides
+  Index first_right = 0, end_right = 0;        ///< the same
+  Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
+  bool seen : 1 = false;
+  bool loose : 1 = false;
+  bool small : 1 = false;
+  bool triangles : 1 = false;  ///< all its faces are
+  /// Its outline is not one chain of sides on the left and one on the right.
+  bool broken : 1 = false;
+  bool shares_plane : 1 = false;  ///< a seen face lies in a plane with another body's, or may do
+
+  Vec3 low, high;        ///< bounds in the world
+  double near_z, far_z;  ///< of the depths of the seen faces
+};
+static_assert(sizeof(FrontBody) == 128);
+
+/// Levels low <= y < high at which a body's outline begins more than once.
+struct ManifoldLevels {
+  double low, high;
+};
+
+/// What a table is for: a picture, with tones and the ground; or outlines and depths alone, as the
+/// light's view needs them.
+enum class FrontUse : std::uint8_t { picture, outlines };
+
+struct FrontTable {
+  FrontTable(const Canonical& canonical, const View& view, FrontUse use = FrontUse::picture);
+  FrontTable(const FrontTable&) = delete;
+  FrontTable& operator=(const FrontTable&) = delete;
+
+  const Canonical& canonical;
+  View view;
+  FrontUse use;
+  double columns, rows;
+  std::vector<Vec2> points;        ///< of the vertices
+  std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
+                                   ///< (of open bodies), 0 not at all
+  std::vector<FaceTone> tones;     ///< of the faces that are seen, for a picture
+  std::vector<FrontBody> bodies;
+  std::vector<OutlineSide> outlines;
+  std::vector<SmallSide> small_sides;
+  std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
+  std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
+  DepthMap depths;
+
+  bool seen(Index face) const { return face != kNone && sides[face] != 0; }
+  bool from_behind(Index face) const { return sides[face] < 0; }
+  /// The ground is the face after the canonical ones, and the body after them.
+  Index ground() const { return static_cast<Index>(canonical.faces.size()); }
+  Index ground_body() const { return static_cast<Index>(canonical.bodies.size()); }
+  Index plane_of(Index face) const {
+    return face == ground() ? static_cast<Index>(canonical.planes.size())
+                            : canonical.faces[face].plane;
+  }
+};
+
+}  // namespace overstrike

@@ -1,0 +1,89 @@
+#include "core/visibility/loose_edges.h"
+
+#include <algorithm>
+
+namespace overstrike {
+namespace {
+
+std::vector<LooseEdge> edges_of(const FrontTable& table) {
+  std::vector<LooseEdge> edges;
+  LooseEdge edge;
+  for (Index b = 0; b < table.canonical.bodies.size(); ++b) {
+    if (!table.bodies[b].loose) continue;
+    const CanonicalBody& body = table.canonical.bodies[b];
+    for (Index e = body.first_edge; e < body.end_edge; ++e)
+      if (to_loose_edge(table, table.canonical.edges[e], b, edge)) edges.push_back(edge);
+  }
+  return edges;
+}
+
+}  // namespace
+
+bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, LooseEdge& out) {
+  const bool left = table.seen(edge.left), right = table.seen(edge.right);
+  if (!left && !right) return false;
+  const Vec2 &a = table.points[edge.from], &b = table.points[edge.to];
+  if (a.y == b.y) return false;
+  out.line = a.y < b.y ? LevelLine(a, b) : LevelLine(b, a);
+  out.faces = {left ? edge.left : edge.right, left && right ? edge.right : kNone};
+  out.body = body;
+  return true;
+}
+
+LooseEdges::LooseEdges(const FrontTable& table)
+    : edges_(edges_of(table)), bands_(table.rows, edges_.size(), [&](std::size_t i) {
+        return std::pair(edges_[i].line.y0, edges_[i].line.y1);
+      }) {}
+
+void LooseResolver::add(const LooseEdge& edge, double y) {
+  if (!(edge.line.y0 <= y && y < edge.line.y1)) return;
+  const float slack = static_cast<float>(table_.bodies[edge.body].line_error.of(edge.line));
+  passing_.push_back({edge.line.x_at(y), slack, edge.faces});
+}
+
+void LooseResolver::resolve(double y, std::vector<RowSide>& sides) {
+  if (passing_.empty()) return;
+  std::sort(passing_.begin(), passing_.end(), [](const Passing& a, const Passing& b) {
+    return a.x != b.x ? a.x < b.x : a.faces < b.faces;
+  });
+  pieces_.clear();
+  double x = passing_.front().x, slack = passing_.front().slack;
+  for (const Passing& p : passing_) {
+    // A span no wider than its ends are uncertain is of rounding's making, and may lie on the wrong
+    // side of an edge in which two faces touch: nothing is asked there, and its neighbour takes it.
+    if (p.x - x > slack + p.slack) {
+      span(x, p.x, y, slack, p.slack);
+      // An edge passed before may truly lie right of this one.
+      slack = std::max<double>(p.slack, slack - (p.x - x));
+      x = p.x;
+    } else {
+      slack = std::max<double>(slack, p.slack);
+    }
+    active_.pass(p.faces);
+  }
+  active_.clear();
+  passing_.clear();
+  append(sides);
+}
+
+void LooseResolver::span(double x0, double x1, double y, double slack0, double slack1) {
+  if (active_.faces().empty()) return;
+  if (active_.crossing()) {
+    split_at_crossings(order_, active_.faces(), x0, x1, y, slack0, slack1, pieces_);
+  } else {
+    pieces_.push_back({x0, x1, active_.seen_at(x0 + (x1 - x0) / 2, y), static_cast<float>(slack0),
+                       static_cast<float>(slack1)});
+  }
+}
+
+void LooseResolver::append(std::vector<RowSide>& sides) const {
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const SpanPiece& p = pieces_[i];
+    const bool continues = i > 0 && pieces_[i - 1].x1 == p.x0;
+    if (i > 0 && !continues) sides.push_back({pieces_[i - 1].x1, kNone, pieces_[i - 1].slack1});
+    if (!(continues && sides.back().face == p.face)) sides.push_back({p.x0, p.face, p.slack0});
+  }
+  if (!pieces_.empty()) sides.push_back({pieces_.back().x1, kNone, pieces_.back().slack1});
+}
+
+}  // namespace overstrike

@@ -1,0 +1,71 @@
+#pragma once
+// Bodies whose fronts cannot be walked: their edges, for an active edge list (TK, ch. 3 and 4).
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/visibility/active_list.h"
+#include "core/visibility/face_order.h"
+#include "core/visibility/level_bands.h"
+#include "core/visibility/span_split.h"
+
+namespace overstrike {
+
+struct LooseEdge {
+  LevelLine line;
+  std::array<Index, 2> faces;  ///< seen ones; the second may be kNone
+  Index body;
+};
+
+/// The edges of all loose bodies, by body.
+class LooseEdges {
+ public:
+  explicit LooseEdges(const FrontTable& table);
+  const LooseEdge& operator[](Index i) const { return edges_[i]; }
+  /// At least those that meet levels of the band, in order of their numbers.
+  std::span<const LevelBands::Item> in_band(std::size_t band) const { return bands_[band]; }
+
+ private:
+  std::vector<LooseEdge> edges_;
+  LevelBands bands_;
+};
+
+/// The edge as scan lines meet it, or false when it is level or borders no seen face.
+bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, LooseEdge& out);
+
+/// A place on a level where what is seen of a body changes: `face` lies to its right, kNone: none.
+struct RowSide {
+  double x;
+  Index face;
+  float slack;  ///< bound on the error of x
+};
+
+/// Resolves a body alone. One a thread.
+class LooseResolver {
+ public:
+  LooseResolver(const FrontTable& table, const FaceOrder& order)
+      : table_(table), order_(order), active_(order) {}
+
+  /// Adds an edge of the body in hand that meets the level.
+  void add(const LooseEdge& edge, double y);
+  /// Appends what is seen of the body whose edges were added, as sides from left to right; a side
+  /// of no face ends each connected stretch. Forgets the edges.
+  void resolve(double y, std::vector<RowSide>& sides);
+
+ private:
+  struct Passing {
+    double x;
+    float slack;
+    std::array<Index, 2> faces;
+  };
+  void span(double x0, double x1, double y, double slack0, double slack1);
+  void append(std::vector<RowSide>& sides) const;
+
+  const FrontTable& table_;
+  const FaceOrder& order_;
+  ActiveList<FaceOrder> active_;
+  std::vector<Passing> passing_;
+  std::vector<SpanPiece> pieces_;
+};
+
+}  // namespace overstrike

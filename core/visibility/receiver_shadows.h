@@ -1,0 +1,70 @@
+#pragma once
+// Shadow borders on their receivers as the eye's levels meet them.
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "core/visibility/front_table.h"
+#include "core/visibility/level_bands.h"
+#include "core/visibility/shadows.h"
+
+namespace overstrike {
+
+/// The part [x0, x1) of a level over which a receiver is in shadow; the slacks bound the ends'
+/// errors.
+struct ShadowSpan {
+  double x0, x1;
+  float slack0, slack1;
+};
+
+/// A border of a shadow: passing it from left to right adds `winding` to the count.
+struct ShadowLine {
+  LevelLine line;
+  float slack;
+  int winding;
+};
+
+/// The shadow on one receiver.
+class ReceiverShadow {
+ public:
+  ReceiverShadow() = default;
+  ReceiverShadow(const FrontTable& table, const Shadow& shadow);
+  /// Appends where the level is in shadow on the receiver's plane, from left to right.
+  void on_level(double y, std::vector<ShadowSpan>& spans) const;
+
+ private:
+  void add_line(const ShadowEdge& edge, const View& view);
+
+  bool covered_ = false;
+  std::vector<ShadowLine> lines_;
+  std::optional<LevelBands> bands_;  ///< where there are many lines
+};
+
+/// The shadows of a picture, each cast when its receiver is first seen. Any number of threads.
+class ReceiverShadows {
+ public:
+  /// Both must outlive this; no shadows when there is no caster.
+  ReceiverShadows(const FrontTable& table, const ShadowCaster* caster);
+  ~ReceiverShadows();
+
+  bool none() const { return of_face_.empty(); }
+  enum class Extent { none, all, part };
+  /// How much of the face is in shadow; `part` is set to its shadow when that is but a part.
+  Extent on(Index face, ShadowCaster::Scratch& scratch, const ReceiverShadow*& part) const {
+    if (of_face_.empty()) return Extent::none;
+    const ReceiverShadow* shadow = of_face_[face].load(std::memory_order_acquire);
+    if (shadow == nullptr) shadow = cast(face, scratch);
+    part = shadow;
+    return shadow == &kNone ? Extent::none : shadow == &kAll ? Extent::all : Extent::part;
+  }
+
+ private:
+  const ReceiverShadow* cast(Index face, ShadowCaster::Scratch& scratch) const;
+
+  static const ReceiverShadow kNone, kAll;
+  const FrontTable& table_;
+  const ShadowCaster* caster_;
+  mutable std::vector<std::atomic<const ReceiverShadow*>> of_face_;
+};
+
+}  // namespace overstrike
