@@ -97,7 +97,8 @@ bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const
     varies = varies || d != at_first;
     sum += d;
   }
-  mean = sum / (end - first);
+  // Where all are equal it is that, to the last bit: ties are decided by what is equal.
+  mean = varies ? sum / (end - first) : at_first;
   return varies;
 }
 

@@ -22,8 +22,8 @@ class LooseEdges {
  public:
   explicit LooseEdges(const FrontTable& table);
   const LooseEdge& operator[](Index i) const { return edges_[i]; }
-  /// At least those that meet levels of the band, in order of their numbers.
-  std::span<const LevelBands::Item> in_band(std::size_t band) const { return bands_[band]; }
+  /// At least those that meet the level, in order of their numbers.
+  std::span<const LevelBands::Item> near(double y) const { return bands_[bands_.band(y)]; }
 
  private:
   std::vector<LooseEdge> edges_;

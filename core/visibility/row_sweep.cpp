@@ -79,7 +79,7 @@ void RowSweep::collect(double y) {
     fetch_ahead(i);
     collect_front(meeting_bodies_[i], y);
   }
-  const std::span<const LevelBands::Item> edges = table_.loose.in_band(band);
+  const std::span<const LevelBands::Item> edges = table_.loose.near(y);
   for (std::size_t i = 0; i < edges.size();) {
     if (!loose_) loose_.emplace(table_.fronts, faces_);
     const Index body = table_.loose[edges[i].number].body;
