@@ -52,7 +52,7 @@ class Repairer {
     error_ = kWrittenRoundings * 0x1p-53 * largest + std::sqrt(3.0) * options.precision;
   }
 
-  Polyhedron run() {
+  Repaired run() {
     merge_vertices();
     drop_degenerate();
     drop_copies();
@@ -61,7 +61,8 @@ class Repairer {
     if (!options_.open) orient();
     if (!options_.open) name_open_edges();
     compact();
-    return std::move(p_);
+    const bool crosses = std::find(crossing_.begin(), crossing_.end(), true) != crossing_.end();
+    return {std::move(p_), crosses};
   }
 
  private:
@@ -225,7 +226,8 @@ class Repairer {
     crossing_.assign(p_.face_count(), false);
     std::vector<Index> faces;
     for (Index f = 0; f < p_.face_count(); ++f) {
-      if (is_triangle(f) || !crosses_itself(loops_of(f), fit_plane(p_, f).normal)) continue;
+      if (is_triangle(f) || unplanar(f) > 0) continue;
+      if (!crosses_itself(loops_of(f), fit_plane(p_, f).normal)) continue;
       crossing_[f] = true;
       faces.push_back(f);
     }
@@ -362,8 +364,8 @@ class Repairer {
 
 }  // namespace
 
-Polyhedron repaired(const Polyhedron& polyhedron, const RepairOptions& options,
-                    std::vector<std::string>& flaws) {
+Repaired repaired(const Polyhedron& polyhedron, const RepairOptions& options,
+                  std::vector<std::string>& flaws) {
   return Repairer(polyhedron, options, flaws).run();
 }
 

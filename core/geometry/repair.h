@@ -4,7 +4,7 @@
 //   1. vertices of one position become one
 //   2. repeated vertices, faces of fewer than three vertices or of no area, second copies of a face
 //      go
-//   3. faces that cross themselves are named; the even-odd rule draws them
+//   3. faces that are planar and cross themselves are named; the even-odd rule draws them
 //   4. faces that are not planar are split
 //   5. faces are turned to agree with their neighbours (most of a shell's area decides)
 //   6. closed shells that are inside out are turned, unless they are a cavity of another
@@ -25,8 +25,15 @@ struct RepairOptions {
   std::vector<int> lines;
 };
 
+struct Repaired {
+  Polyhedron polyhedron;
+  /// A face crosses itself: it is turned to one side in one part and to the other in another, so
+  /// that the surface has no inside even where no edge is open.
+  bool crosses_itself = false;
+};
+
 /// `flaws` gets one sentence for every kind of flaw. Faces are counted from 0, as in the input.
-Polyhedron repaired(const Polyhedron& polyhedron, const RepairOptions& options,
-                    std::vector<std::string>& flaws);
+Repaired repaired(const Polyhedron& polyhedron, const RepairOptions& options,
+                  std::vector<std::string>& flaws);
 
 }  // namespace overstrike

@@ -14,6 +14,8 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
 
 Polyhedron cube(const Vec3& low = Vec3(0.0), double size = 1) {
   Polyhedron p;
@@ -50,7 +52,7 @@ Polyhedron joined(Polyhedron a, const Polyhedron& b) {
 std::vector<std::string> flaws_of(const Polyhedron& p, const RepairOptions& options = {},
                                   Polyhedron* result = nullptr) {
   std::vector<std::string> flaws;
-  const Polyhedron out = repaired(p, options, flaws);
+  const Polyhedron out = repaired(p, options, flaws).polyhedron;
   if (result != nullptr) *result = out;
   return flaws;
 }
@@ -156,6 +158,21 @@ TEST(Repair, KeepsCrossingFacesWhosePartsCancel) {
   back.vertices = {{0, 0, 2}, {2, 2, 2}, {2, 0, 2}};
   back.add_face({0, 1, 2, 1});
   EXPECT_THAT(flaws_of(back, {0, true, {}}), ElementsAre("face 0 has no area: left out"));
+}
+
+/// Such a face was once taken for planar, with a plane far from its corners.
+TEST(Repair, SplitsCrossingFacesThatAreNotPlanar) {
+  Polyhedron p;
+  p.vertices = {{-3, -3, -2}, {0, -3, -3}, {-4, -4, -4}, {-1, -4, -4}};
+  p.add_face({0, 1, 2, 3});
+  const std::vector<std::vector<Vec3>> loops{p.vertices};
+  ASSERT_TRUE(crosses_itself(loops, fit_plane(p, 0).normal));
+  std::vector<std::string> flaws;
+  const Repaired mended = repaired(p, {0, true, {}}, flaws);
+  EXPECT_EQ(mended.polyhedron.face_count(), 2u);
+  EXPECT_FALSE(mended.crosses_itself);
+  ASSERT_THAT(flaws, SizeIs(1));
+  EXPECT_THAT(flaws[0], StartsWith("face 0 is not planar"));
 }
 
 TEST(Repair, TurnsFacesThatDisagree) {

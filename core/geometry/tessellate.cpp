@@ -11,6 +11,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>  // clang before 17 does not deduce the arguments of aggregates
+Overloaded(Functions...)->Overloaded<Functions...>;
 
 constexpr double kMostFacets = 0x1p20;
 /// A chord of this part of a shape's size takes more than kMostSides round any circle of the size;

@@ -56,9 +56,9 @@ PatternPlane plane_under(const ProjectedScene& scene,
   double best = 1;
   PatternPlane found;
   for (const auto& [plane, face] : planes) {
-    const auto distance = [&](const LineEnd& end) {
-      const double allowed = length * end.grid.w + height_error(scene.plane(plane), end.world);
-      return std::fabs(scene.height(plane, end.world)) / allowed;
+    const auto distance = [&, on = plane](const LineEnd& end) {
+      const double allowed = length * end.grid.w + height_error(scene.plane(on), end.world);
+      return std::fabs(scene.height(on, end.world)) / allowed;
     };
     const double off = std::max(distance(a), distance(b));
     if (off < best) best = off, found = {plane, face};

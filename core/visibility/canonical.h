@@ -45,10 +45,11 @@ struct CanonicalBody {
   Index first_vertex, end_vertex;
   Index first_corner;
   Index first_twin;  ///< in Canonical::twins: one per corner; copies share them
-  bool closed;       ///< every edge has two faces: back faces cannot be seen from outside
-  bool smooth;       ///< shaded by corner normals
-  bool simple;       ///< known not to pass through itself: every shape but a mesh and a sweep
-  bool curved;       ///< its facets stand for a curved surface, to the tolerance
+  /// Every edge has two faces and no face crosses itself: back faces cannot be seen from outside.
+  bool closed;
+  bool smooth;  ///< shaded by corner normals
+  bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
+  bool curved;  ///< its facets stand for a curved surface, to the tolerance
   double density_factor;
   int pen;
   Index source;  ///< index into Scene::bodies

@@ -56,7 +56,9 @@ void make_shadeable(PreparedShape& shape) {
 
 PreparedShape prepare_mesh(const Mesh& mesh, bool smooth) {
   PreparedShape result;
-  result.polyhedron = repaired(mesh.polyhedron, {mesh.precision, false, mesh.lines}, result.flaws);
+  Repaired mended = repaired(mesh.polyhedron, {mesh.precision, false, mesh.lines}, result.flaws);
+  result.polyhedron = std::move(mended.polyhedron);
+  result.closed = !mended.crosses_itself;
   result.precision = mesh.precision;
   Polyhedron& p = result.polyhedron;
   result.edges = pair_edges(p);
@@ -76,7 +78,7 @@ PreparedShape prepare_solid(const Shape& shape, double chord, bool smooth) {
   PreparedShape result;
   result.polyhedron = tessellate(shape, chord, smooth || is_curved(shape));
   if (std::holds_alternative<FlatPolygon>(shape))
-    result.polyhedron = repaired(result.polyhedron, {0, true, {}}, result.flaws);
+    result.polyhedron = repaired(result.polyhedron, {0, true, {}}, result.flaws).polyhedron;
   Polyhedron& p = result.polyhedron;
   result.edges = pair_edges(p);
   if (smooth && p.corner_normals.empty()) {
@@ -95,8 +97,7 @@ PreparedShape prepare_shape(const Shape& shape, double chord, bool smooth) {
   const Mesh* mesh = std::get_if<Mesh>(&shape);
   PreparedShape result =
       mesh != nullptr ? prepare_mesh(*mesh, smooth) : prepare_solid(shape, chord, smooth);
-  result.closed = std::none_of(result.edges.begin(), result.edges.end(),
-                               [](const EdgePair& e) { return e.right == kNoFace; });
+  for (const EdgePair& e : result.edges) result.closed = result.closed && e.right != kNoFace;
   return result;
 }
 

@@ -10,8 +10,8 @@ namespace overstrike {
 struct PreparedShape {
   Polyhedron polyhedron;
   std::vector<EdgePair> edges;
-  std::vector<bool> smooth_edge;  ///< per edge: its faces stand for one curved surface
-  bool closed = true;
+  std::vector<bool> smooth_edge;   ///< per edge: its faces stand for one curved surface
+  bool closed = true;              ///< as CanonicalBody::closed
   double precision = 0;            ///< of the coordinates, as Mesh::precision
   std::vector<std::string> flaws;  ///< what was repaired, or could not be; in words
 };

@@ -141,5 +141,18 @@ TEST(SmoothShading, LeavesConvexFacesWhole) {
   EXPECT_EQ(smooth(mesh).polyhedron.face_count(), 48u);
 }
 
+/// A tetrahedron squeezed flat, with a face that crosses itself: one part of that face looks out
+/// and the other in. Its cut was once closed where it has no inside.
+TEST(PreparedShape, IsNotClosedWhereAFaceCrossesItself) {
+  Mesh flat;
+  flat.polyhedron.vertices = {{-2, -1, 0}, {0, -1, 0}, {-1, -2, 0}, {-2, -2, 0}};
+  for (const auto& face : {std::vector<Index>{0, 2, 3, 1}, {0, 1, 3}, {0, 3, 2}})
+    flat.polyhedron.add_face(std::span<const Index>(face));
+  const PreparedShape shape = prepare_shape(flat, 1, false);
+  for (const EdgePair& e : shape.edges) EXPECT_NE(e.right, kNoFace);
+  EXPECT_FALSE(shape.closed);
+  EXPECT_TRUE(prepare_shape(Box{}, 1, false).closed);
+}
+
 }  // namespace
 }  // namespace overstrike

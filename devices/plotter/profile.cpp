@@ -62,12 +62,19 @@ PlotterPaper read_paper(const Line& line) {
   const auto number = [&](std::size_t i) { return line.number(i, 7, what); };
   PlotterPaper paper{line.word(0, 7, what), number(1), number(2), number(3), number(4), 0, 0};
   constexpr double kMostUnits = 8388607;  // HP-GL/2's largest coordinate, 2^23 - 1
-  if (number(5) < 1 || number(6) < 1 || number(5) > kMostUnits || number(6) > kMostUnits) {
-    line.fail(what);
-  }
+  const auto is_limit = [](double x) { return x >= 1 && x <= kMostUnits && x == std::floor(x); };
+  if (!is_limit(number(5)) || !is_limit(number(6))) line.fail(what);
   paper.clip_x = static_cast<int>(number(5));
   paper.clip_y = static_cast<int>(number(6));
   return paper;
+}
+
+int read_stall(const Line& line) {
+  const char* what = "stall from 1 to 255, width, colour";
+  constexpr double kMostPens = 255;
+  const double stall = line.number(0, 3, what);
+  if (!(stall >= 1 && stall <= kMostPens && stall == std::floor(stall))) line.fail(what);
+  return static_cast<int>(stall);
 }
 
 void read_line(const Line& line, PlotterProfile& profile) {
@@ -81,8 +88,7 @@ void read_line(const Line& line, PlotterProfile& profile) {
   } else if (line.key() == "paper:") {
     profile.papers.push_back(read_paper(line));
   } else if (line.key() == "pen:") {
-    profile.pens =
-        std::max(profile.pens, static_cast<int>(line.number(0, 3, "stall, width, colour")));
+    profile.pens = std::max(profile.pens, read_stall(line));
   } else if (line.key() != "buffer:" && line.key() != "range:") {
     line.fail("name:, unit:, buffer:, range:, speed:, paper: or pen:");
   }

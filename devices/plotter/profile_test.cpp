@@ -56,6 +56,14 @@ TEST(PlotterProfile, Errors) {
   EXPECT_EQ(error_of("unit: nan\n").substr(0, 12), "a.profile:1:");
 }
 
+/// The first overflowed an int, the second was cut to 5 while the emulator took 5.5.
+TEST(PlotterProfile, WholeNumbersAreWholeAndNotTooLarge) {
+  EXPECT_EQ(error_of("pen: 1e10 0.3 #000000\n").substr(0, 12), "a.profile:1:");
+  EXPECT_EQ(error_of("pen: 1.5 0.3 #000000\n").substr(0, 12), "a.profile:1:");
+  EXPECT_EQ(error_of("pen: 0 0.3 #000000\n").substr(0, 12), "a.profile:1:");
+  EXPECT_EQ(error_of("paper: A4 297 210 10 4 5.5 5\n").substr(0, 12), "a.profile:1:");
+}
+
 TEST(PlotterProfile, MissingFile) {
   EXPECT_THROW(read_plotter_profile("/nowhere/none.profile"), InputError);
 }

@@ -39,7 +39,9 @@ double number_of(const std::string& text, double low, double high, const std::st
   return value;
 }
 
-PrinterTypeface read(const fs::path& file) {
+}  // namespace
+
+PrinterTypeface read_printer_typeface(const fs::path& file) {
   PrinterTypeface face;
   std::ifstream in(file);
   std::string line;
@@ -62,12 +64,10 @@ PrinterTypeface read(const fs::path& file) {
   return face;
 }
 
-}  // namespace
-
 PrinterTypeface find_printer_typeface(const std::string& name) {
   const bool is_font = name.find('/') != std::string::npos || name.ends_with(".ttf") ||
                        name.ends_with(".otf") || name.ends_with(".pfb");
-  if (!is_font) return read(find_data_file("typefaces/" + name + ".typeface"));
+  if (!is_font) return read_printer_typeface(find_data_file("typefaces/" + name + ".typeface"));
   if (!is_installed(name)) throw Error(name + ": no such font file");
   return {name, 12, std::nullopt};
 }

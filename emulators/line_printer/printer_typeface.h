@@ -16,4 +16,7 @@ struct PrinterTypeface {
 /// 12 points. Throws Error.
 PrinterTypeface find_printer_typeface(const std::string& name);
 
+/// A .typeface file; fonts are looked for beside it. Throws Error.
+PrinterTypeface read_printer_typeface(const std::filesystem::path& file);
+
 }  // namespace overstrike::emulator

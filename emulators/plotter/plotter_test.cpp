@@ -7,6 +7,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "emulators/plotter/profile.h"
+
 namespace overstrike::emulator {
 namespace {
 
@@ -147,6 +149,14 @@ TEST_F(EmulatedPlotter, Errors) {
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_EQ(entry.path().filename(), "bad.profile");  // no sheet, whole or half
   }
+}
+
+/// The device takes the first, too.
+TEST_F(EmulatedPlotter, OfTwoPapersOfOneNameTheFirstCounts) {
+  const fs::path file = folder_ / "two.profile";
+  std::ofstream(file) << "unit: 0.025\npaper: A4 297 210 10 4 11040 7721\n"
+                         "paper: A4 100 100 1 1 99 99\npen: 1 0.3 #000000\n";
+  EXPECT_EQ(read_machine(file, "A4").width_mm, 297);
 }
 
 TEST_F(EmulatedPlotter, AStreamThatCannotBeRead) {

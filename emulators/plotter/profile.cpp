@@ -62,7 +62,8 @@ class Reader {
     words >> name;
     expect(read_numbers(words, numbers_, 6));
     names_ += (names_.empty() ? "" : ", ") + name;
-    if (name != paper_) return;
+    const bool known = machine_.width_mm > 0;  // of several with one name the first counts
+    if (name != paper_ || known) return;
     machine_.width_mm = numbers_[0];
     machine_.height_mm = numbers_[1];
     machine_.origin_x_mm = numbers_[2];

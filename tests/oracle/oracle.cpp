@@ -206,7 +206,7 @@ struct Oracle::Impl {
     for (const Meeting& m : met) winding[in.faces[m.face].body] -= faces[m.face].eye_side;
     std::optional<Seen> best;
     for (Index b = 0; b < in.bodies.size(); ++b) {
-      if (!in.bodies[b].closed || winding[b] == 0) continue;
+      if (!in.bodies[b].closed || winding[b] % 2 == 0) continue;
       const double d = clamped(in.law.cut_factor * in.law.hmax * in.bodies[b].density_factor);
       if (!best || d > best->density) best = Seen{kNone, b, Kind::cut, d};
     }
@@ -257,10 +257,11 @@ struct Oracle::Impl {
     for (const Meeting* m : tied) {
       const double away = density_away_from_shadow(*m);
       const Seen s = face_at(*m, away);
-      const bool wins = s.density != best.density ? s.density > best.density
-                        : away != best_away       ? away > best_away
-                                                  : precedes(s.face, best.face);
-      if (best.face == kNone || wins) best = s, best_away = away;
+      const bool wins = best.face == kNone          ? true
+                        : s.density != best.density ? s.density > best.density
+                        : away != best_away         ? away > best_away
+                                                    : precedes(s.face, best.face);
+      if (wins) best = s, best_away = away;
     }
     return best;
   }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 
+#include "core/geometry/tessellate.h"
 #include "tests/oracle/exact.h"
 
 namespace overstrike::oracle {
@@ -300,6 +301,16 @@ TEST(Oracle, TheDarkerOfEqualDepthsWinsInAnyOrder) {
   }
 }
 
+/// What has no tone at all was once compared with a face that there is not.
+TEST(Oracle, FacesWithoutInkAreSeenToo) {
+  Scene scene = from_above();
+  scene.bodies = {body(square(1, 1))};
+  scene.bodies[0].density_factor = 0;
+  const Seen seen = Picture(scene).at(50, 50);
+  EXPECT_EQ(seen.face, 0u);
+  EXPECT_EQ(seen.density, 0);
+}
+
 TEST(Oracle, HolesAreOpen) {
   Scene scene = from_above();
   FlatPolygon frame{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
@@ -343,6 +354,27 @@ TEST(Oracle, NearPlaneCutsHalfABody) {
   // Right of the middle is y < 0.5.
   EXPECT_EQ(picture.at(75, 50).kind, Kind::cut);
   EXPECT_TRUE(picture.at(25, 50).paper());
+}
+
+/// Two boxes of one mesh: where both are there is no inside, as there is none in two outlines.
+TEST(Oracle, ACutIsEvenAndOdd) {
+  Scene scene = looking(Vec3(0, 0, 1), 0, 0);
+  scene.camera.near_distance = 10;
+  Mesh two;
+  for (const double shift : {-0.5, 0.5}) {
+    const Polyhedron box = tessellate(Box{Vec3(2)}, 1, false);
+    for (Index l = 0; l < box.loop_ends.size(); ++l) {
+      std::vector<Index> loop;
+      for (const Index v : box.loop(l))
+        loop.push_back(two.polyhedron.add_vertex(box.vertices[v] + Vec3(0, shift, 0)));
+      two.polyhedron.add_face(std::span<const Index>(loop));
+    }
+  }
+  scene.bodies = {body(two)};
+  const Picture picture(scene);
+  EXPECT_EQ(picture.at(20, 50).kind, Kind::cut);
+  EXPECT_NE(picture.at(50, 50).kind, Kind::cut);
+  EXPECT_EQ(picture.at(80, 50).kind, Kind::cut);
 }
 
 TEST(Oracle, AFloorThatReachesBehindTheEyeIsSeenUpToItsHorizon) {

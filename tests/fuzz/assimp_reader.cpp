@@ -1,0 +1,2 @@
+#define OVERSTRIKE_ASSIMP ""
+#include "scenes/readers/mesh_assimp.cpp"
