@@ -270,7 +270,8 @@ bool Trial::is_right(const Line& line, double s, const Seen& found) const {
   for (const Vec2& d : {Vec2(0), along, -along, across, -across, along + across, along - across,
                         across - along, -along - across}) {
     const Seen expected = oracle_at(p + d);
-    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError))
+    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError) ||
+        crossings_.on_both_borders(p, expected, found, kEndError))
       return true;
   }
   return false;
@@ -295,7 +296,10 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
   const double s = left.to;
   const Seen l = left.seen(s), r = right.seen(s);
   std::string seen;
-  for (const double condition : crossings_.conditions(line, s, l, r)) {
+  // An edge along the line crosses it nowhere, or anywhere.
+  std::vector<double> conditions = crossings_.conditions(line, s, l, r);
+  conditions.insert(conditions.begin(), 1.0);
+  for (const double condition : conditions) {
     const double reach = kEndError * std::max(1.0, condition);
     const double before = std::max(s - reach, (left.from + s) / 2),
                  after = std::min(s + reach, (right.to + s) / 2);
@@ -305,7 +309,7 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
         "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);
   }
   fail(place(line.at(s)) + "a run ends between " + to_text(l) + " | " + to_text(r) +
-       (seen.empty() ? ", where nothing crosses" : ", the oracle sees" + seen));
+       ", the oracle sees" + seen);
 }
 
 }  // namespace overstrike::oracle
