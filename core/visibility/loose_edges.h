@@ -24,6 +24,11 @@ class LooseEdges {
   const LooseEdge& operator[](Index i) const { return edges_[i]; }
   /// At least those that meet the level, in order of their numbers.
   std::span<const LevelBands::Item> near(double y) const { return bands_[bands_.band(y)]; }
+  /// The levels that are given the same ones.
+  std::pair<double, double> levels_near(double y) const {
+    const std::size_t band = bands_.band(y);
+    return {bands_.low(band), bands_.high(band)};
+  }
 
  private:
   std::vector<LooseEdge> edges_;

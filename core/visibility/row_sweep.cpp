@@ -60,7 +60,9 @@ void RowSweep::make_plan(double y) {
 void RowSweep::collect(double y) {
   items_.clear(), sides_.clear(), ends_.clear();
   const std::size_t band = table_.bodies.band(y);
-  from_ = table_.bodies.low(band), until_ = table_.bodies.high(band);
+  const auto [loose_from, loose_until] = table_.loose.levels_near(y);
+  from_ = std::max(table_.bodies.low(band), loose_from);
+  until_ = std::min(table_.bodies.high(band), loose_until);
   const ItemEnd edge{0, kNone, false, {0, 0, 0, 0, false}};
   ends_.push_back(edge);
   ends_.push_back(edge);
