@@ -18,7 +18,6 @@ constexpr Awaited kAwaited[] = {
     {"oracle", "coplanar-same-inside"},
     {"oracle", "coplanar-same-shifted"},
     {"oracle", "cyclic-bars"},
-    {"oracle", "deep-stack"},
     {"oracle", "edge-on-in-perspective"},
     {"oracle", "edge-on-to-eye"},
     {"oracle", "eye-on-edge-line"},

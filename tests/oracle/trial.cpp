@@ -67,19 +67,11 @@ std::vector<Stretch> ScannedLine::stretches() const {
   std::vector<Stretch> made;
   double s = from;
   const auto add = [&](double until, const DensityRun* run) {
-    if (until - s > kThinnest)
-      made.push_back({s, until, run});
-    else if (!made.empty())
-      made.back().to = until;
-    else
-      return;
+    if (until > s) made.push_back({s, until, run});
     s = until;
   };
-  for (const DensityRun& r : runs) {
-    if (r.x0 > s) add(r.x0, nullptr);
-    add(r.x1, &r);
-  }
-  if (s < to) add(to, nullptr);
+  for (const DensityRun& r : runs) add(r.x0, nullptr), add(r.x1, &r);
+  add(to, nullptr);
   return made;
 }
 
@@ -285,6 +277,7 @@ void Trial::judge_ends(int count) {
     if (stretches.size() < 2) continue;
     const std::size_t i = bits_() % (stretches.size() - 1);
     const double s = stretches[i].to;
+    if (stretches[i].width() < kThinnest || stretches[i + 1].width() < kThinnest) continue;
     if (stretches[i].seen(s).same(stretches[i + 1].seen(s))) continue;
     judge_end(scanned.line, stretches[i], stretches[i + 1]);
     --count;
