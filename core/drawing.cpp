@@ -340,7 +340,7 @@ void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, doub
         const std::size_t before = c.runs.size();
         scanner.resolve(at - frame.low.y, c.runs);
         const auto [t0, t1] = frame.within(at, grid);
-        if (shift != 0 || t0 > 0 || t1 < grid.columns)
+        if (frame.family.angle_deg != 0)
           shift_and_clip(c.runs, before, shift, t0, t1);
         c.ends.push_back(c.runs.size());
       }

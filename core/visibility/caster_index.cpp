@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/even_odd.h"
+
 namespace overstrike {
 
 RegionGrid::RegionGrid(std::vector<LightRegion> regions, double cells_per_thing)
@@ -56,9 +58,23 @@ void CasterIndex::find_faces(Index number, OfBody& of) const {
     if (!light_.seen(f)) continue;
     of.faces.push_back(f);
     regions.emplace_back();
-    for (const Index v : c.loop(c.faces[f].first_loop)) regions.back().add(light_.points[v]);
+    for (Index l = c.faces[f].first_loop; l < c.faces[f].end_loop; ++l)
+      for (const Index v : c.loop(l)) regions.back().add(light_.points[v]);
+    of.crossed.push_back(is_crossed(f));
   }
   of.grid = RegionGrid(std::move(regions), 0.5);
+}
+
+bool CasterIndex::is_crossed(Index face) const {
+  const Canonical& c = light_.canonical;
+  const CanonicalFace& f = c.faces[face];
+  if (f.end_loop - f.first_loop == 1 && c.loop(f.first_loop).size() == 3) return false;
+  std::vector<std::vector<Vec2>> loops;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    loops.emplace_back();
+    for (const Index v : c.loop(l)) loops.back().push_back(light_.points[v]);
+  }
+  return !even_odd(loops).simple;
 }
 
 void CasterIndex::find_planes(Index number, OfBody& of) const {

@@ -33,10 +33,16 @@ struct LevelLine {
   double x_at(double y) const { return x0 + (y - y0) * slope; }
 };
 
-/// Bound on the error of LevelLine::x_at: constant + per_slope * |slope|.
+/// Bound on the error of LevelLine::x_at: constant + per_slope * |slope|, but never more than
+/// kMostSlack. A line nearly along the levels may be farther off at one of them; but spans wider
+/// than that are no slivers between sides that should be one, and must not be left to their
+/// neighbours.
+constexpr double kMostSlack = 1e-6;
 struct LineError {
   double constant = 0, per_slope = 0;
-  double of(const LevelLine& line) const { return constant + per_slope * std::fabs(line.slope); }
+  double of(const LevelLine& line) const {
+    return std::fmin(constant + per_slope * std::fabs(line.slope), kMostSlack);
+  }
 };
 
 /// A side of a seen face: it begins at the corner and ends at the next one of its loop.

@@ -167,7 +167,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   const auto add = [&](Index face) {
     from = std::max(from, top.y), until = std::min(until, bottom.y);
     const double slope = (bottom.x - top.x) / (bottom.y - top.y);
-    const double slack = error.constant + error.per_slope * std::fabs(slope);
+    const double slack = std::min(error.constant + error.per_slope * std::fabs(slope), kMostSlack);
     sides_.push_back({top.x, top.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {

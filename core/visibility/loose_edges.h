@@ -26,6 +26,7 @@ class LooseEdges {
   std::span<const LevelBands::Item> near(double y) const { return bands_[bands_.band(y)]; }
   /// The levels that are given the same ones.
   std::pair<double, double> levels_near(double y) const {
+    if (edges_.empty()) return {-1e300, 1e300};
     const std::size_t band = bands_.band(y);
     return {bands_.low(band), bands_.high(band)};
   }

@@ -6,11 +6,6 @@
 namespace overstrike {
 namespace {
 
-/// Placing a vertex costs at most 72 units of 2^-53 of the largest coordinate that takes part
-/// (canonical.cpp has the count), projecting it four more a component, and the quotient one;
-/// rounded up.
-constexpr double kRounding = 80 * 0x1p-53;
-
 std::vector<Plane> with_ground(const Canonical& c, const View& view) {
   std::vector<Plane> planes = c.planes;
   planes.push_back({Vec3(0, 0, 1), c.ground_z.value_or(0)});
@@ -26,13 +21,13 @@ GridPoint to_grid(const View& view, const Vec3& p) {
   for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column] * p[column]);
   const double x = h.x / h.z, y = h.y / h.z, z = h.w / h.z;
   const double most = std::max(std::fabs(x), std::fabs(y));
-  const double unit = kRounding / std::fabs(h.z);
+  const double unit = kPointRounding / std::fabs(h.z);
   return {Vec3(x, y, z), h.z, unit * (std::max(size.x, size.y) + size.z * most),
           unit * (size.w + size.z * std::fabs(z))};
 }
 
 double height_error(const Plane& plane, const Vec3& p) {
-  return kRounding * (glm::dot(glm::abs(plane.normal), glm::abs(p)) + std::fabs(plane.offset));
+  return kPointRounding * (glm::dot(glm::abs(plane.normal), glm::abs(p)) + std::fabs(plane.offset));
 }
 
 ProjectedScene::ProjectedScene(const Canonical& canonical_input, const View& in_view)

@@ -19,6 +19,11 @@ struct GridPoint {
   Vec2 xy() const { return Vec2(at); }
 };
 
+/// Placing a vertex costs at most 72 units of 2^-53 of the largest coordinate that takes part
+/// (canonical.cpp has the count), projecting it four more a component, and the quotient one;
+/// rounded up.
+constexpr double kPointRounding = 80 * 0x1p-53;
+
 GridPoint to_grid(const View& view, const Vec3& p);
 
 /// Bound on the rounding of dot(plane.normal, p) - plane.offset for a placed vertex p.

@@ -13,6 +13,32 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Lines of a receiver that are looked through one by one.
 constexpr std::size_t kFew = 32;
 
+Vec2 projected(const View& view, const Vec3& p) {
+  const Mat4& m = view.matrix;
+  const double x = m[0][0] * p.x + m[1][0] * p.y + m[2][0] * p.z + m[3][0];
+  const double y = m[0][1] * p.x + m[1][1] * p.y + m[2][1] * p.z + m[3][1];
+  if (!view.perspective) return Vec2(x, y);
+  const double w = m[0][2] * p.x + m[1][2] * p.y + m[2][2] * p.z + m[3][2];
+  return Vec2(x / w, y / w);
+}
+
+/// Bound on how far the ends of shadow edges may be from where they were meant, in the grid: the
+/// largest of to_grid()'s; in a parallel view (w^ = 1) no coordinate is larger than the sum of its
+/// terms' sizes.
+double point_error(const View& view, const std::vector<ShadowEdge>& edges) {
+  if (view.perspective) {
+    double error = 0;
+    for (const ShadowEdge& e : edges)
+      error = std::max({error, to_grid(view, e.a).error, to_grid(view, e.b).error});
+    return error;
+  }
+  Vec3 reach(0.0);
+  for (const ShadowEdge& e : edges) reach = glm::max(reach, glm::max(glm::abs(e.a), glm::abs(e.b)));
+  Vec4 size = glm::abs(view.matrix[3]);
+  for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column]) * reach[column];
+  return 2 * kPointRounding * std::max(size.x, size.y);
+}
+
 struct Crossing {
   double x;
   float slack;
@@ -22,23 +48,49 @@ struct Crossing {
 }  // namespace
 
 ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
-    : covered_(shadow.covered) {
-  for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view);
+    : base_(shadow.covered) {
+  if (shadow.edges.empty()) return;
+  const Box receiver = box_of(table, shadow.receiver);
+  const double error = point_error(table.view, shadow.edges);
+  for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view, receiver, error);
   if (lines_.size() > kFew)
     bands_.emplace(table.rows, lines_.size(),
                    [&](std::size_t i) { return std::pair(lines_[i].line.y0, lines_[i].line.y1); });
 }
 
-void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view) {
-  const GridPoint a = to_grid(view, edge.a), b = to_grid(view, edge.b);
-  if (a.at.y == b.at.y) return;
-  const bool down = a.at.y < b.at.y;
-  const LevelLine line = down ? LevelLine(a.xy(), b.xy()) : LevelLine(b.xy(), a.xy());
-  const double across = std::max(std::fabs(a.at.x), std::fabs(b.at.x));
-  const double tall = std::max(std::fabs(a.at.y), std::fabs(b.at.y));
-  const double error = (a.error + b.error) * (1 + std::fabs(line.slope)) +
+ReceiverShadow::Box ReceiverShadow::box_of(const FrontTable& table, Index face) {
+  if (face == table.ground()) return {Vec2(-1), Vec2(table.columns, table.rows) + 1.0};
+  Box box{Vec2(kInfinity), Vec2(-kInfinity)};
+  const CanonicalFace& f = table.canonical.faces[face];
+  for (Index l = f.first_loop; l < f.end_loop; ++l)
+    for (const Index v : table.canonical.loop(l)) {
+      box.low = glm::min(box.low, table.points[v]);
+      box.high = glm::max(box.high, table.points[v]);
+    }
+  return box;
+}
+
+/// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the
+/// left, all along it, everywhere.
+void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
+                              double point_error) {
+  const Vec2 a = projected(view, edge.a), b = projected(view, edge.b);
+  if (a.y == b.y) return;
+  const bool down = a.y < b.y;
+  const LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
+  if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;
+  const double across = std::max(std::fabs(a.x), std::fabs(b.x));
+  const double tall = std::max(std::fabs(a.y), std::fabs(b.y));
+  const double error = 2 * point_error * (1 + std::fabs(line.slope)) +
                        4 * kEps * (across + tall * std::fabs(line.slope));
-  lines_.push_back({line, static_cast<float>(error), down ? edge.winding : -edge.winding});
+  if (std::min(a.x, b.x) > receiver.high.x + error) return;
+  const int winding = down ? edge.winding : -edge.winding;
+  const bool left = std::max(a.x, b.x) < receiver.low.x - error;
+  if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
+    base_ += winding;
+  } else {
+    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding});
+  }
 }
 
 void ReceiverShadow::on_level(double y, std::vector<ShadowSpan>& spans) const {
@@ -63,9 +115,10 @@ void ReceiverShadow::on_level(double y, std::vector<ShadowSpan>& spans) const {
     for (const ShadowLine& line : lines_) meet(line);
   }
   Crossing* const crossings = count > kMost ? many.data() : few;
-  std::sort(crossings, crossings + count,
-            [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
-  int winding = covered_;
+  if (count > 1)
+    std::sort(crossings, crossings + count,
+              [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+  int winding = base_;
   ShadowSpan span{-kInfinity, kInfinity, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     const int before = winding;
@@ -97,15 +150,15 @@ ReceiverShadows::~ReceiverShadows() {
 const ReceiverShadow* ReceiverShadows::cast(Index face, ShadowCaster::Scratch& scratch) const {
   const Shadow shadow = caster_->on(face, scratch);
   const ReceiverShadow* made = &kNone;
-  if (!shadow.edges.empty()) {
-    made = new ReceiverShadow(table_, shadow);
-  } else if (shadow.covered) {
+  if (ReceiverShadow found(table_, shadow); !found.uniform()) {
+    made = new ReceiverShadow(std::move(found));
+  } else if (found.begins_in_shadow()) {
     made = &kAll;
   }
-  const ReceiverShadow* found = nullptr;
-  if (of_face_[face].compare_exchange_strong(found, made, std::memory_order_acq_rel)) return made;
+  const ReceiverShadow* first = nullptr;
+  if (of_face_[face].compare_exchange_strong(first, made, std::memory_order_acq_rel)) return made;
   if (made != &kNone && made != &kAll) delete made;
-  return found;
+  return first;
 }
 
 }  // namespace overstrike

@@ -29,13 +29,22 @@ class ReceiverShadow {
  public:
   ReceiverShadow() = default;
   ReceiverShadow(const FrontTable& table, const Shadow& shadow);
-  /// Appends where the level is in shadow on the receiver's plane, from left to right.
+  /// Appends where the level is in shadow on the receiver's plane, from left to right; right over
+  /// the receiver itself only.
   void on_level(double y, std::vector<ShadowSpan>& spans) const;
+  /// No border passes over the receiver: it is in shadow all over, or not at all.
+  bool uniform() const { return lines_.empty(); }
+  bool begins_in_shadow() const { return base_ != 0; }
 
  private:
-  void add_line(const ShadowEdge& edge, const View& view);
+  /// The receiver's bounds in the grid.
+  struct Box {
+    Vec2 low, high;
+  };
+  static Box box_of(const FrontTable& table, Index face);
+  void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, double point_error);
 
-  bool covered_ = false;
+  int base_ = 0;  ///< the count to the left of all lines
   std::vector<ShadowLine> lines_;
   std::optional<LevelBands> bands_;  ///< where there are many lines
 };

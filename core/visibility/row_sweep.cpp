@@ -131,6 +131,9 @@ void RowSweep::collect_front(Index body, double y) {
   const double x0 = left.x_at(y), x1 = right.x_at(y);
   if (!(x0 < x1)) {
     until_ = from_;
+    // More than rounding: an outline that crosses itself.
+    const double slack = front.line_error.of(left) + front.line_error.of(right);
+    if (x0 - x1 > slack) collect_loose(body, y);
     return;
   }
   const Index item = static_cast<Index>(items_.size());
@@ -243,7 +246,8 @@ bool RowSweep::follow_plan(double y, std::vector<SpanPiece>& pieces) {
   return true;
 }
 
-/// Sides that rounding has put out of order are put where their neighbour is.
+/// Sides that rounding has put out of order are put where their neighbour is; more than that is a
+/// face that is inside out, which its body's edges must tell about.
 bool RowSweep::walk(Item& item, double y) {
   const std::span<const FrontSide> front = walker_.front_at(item.body, y, item.outline);
   if (front.empty()) {
@@ -255,9 +259,17 @@ bool RowSweep::walk(Item& item, double y) {
   RowSide* side = sides_.data() + item.first;
   const double last = front.back().x_at(y);
   double x = front.front().x_at(y);
+  float slack = front.front().slack;
+  bool ordered = true;
   for (const FrontSide& s : front) {
-    x = std::min(std::max(x, s.x_at(y)), last);
+    const double at = s.x_at(y);
+    ordered = ordered && x - at <= slack + s.slack;
+    x = std::min(std::max(x, at), last), slack = s.slack;
     *side++ = {x, s.face, s.slack};
+  }
+  if (!ordered) {
+    not_walkable_.push_back(item.body);
+    return false;
   }
   item.end = static_cast<Index>(sides_.size());
   return true;

@@ -15,6 +15,7 @@ void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
     for (const SpanPiece& piece : pieces) part(y, piece, false, runs);
     return;
   }
+  ground_spans_known_ = false;
   for (const SpanPiece& piece : pieces) {
     const ReceiverShadow* shadow = nullptr;
     auto extent = ReceiverShadows::Extent::none;
@@ -32,8 +33,14 @@ void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
 /// are left to their neighbours.
 void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& shadow,
                        std::vector<DensityRun>& runs) {
-  spans_.clear();
-  shadow.on_level(y, spans_);
+  // The ground comes again and again between the bodies of one level.
+  const bool ground = piece.face == table_.ground();
+  std::vector<ShadowSpan>& spans = ground ? ground_spans_ : spans_;
+  if (!ground || !ground_spans_known_) {
+    spans.clear();
+    shadow.on_level(y, spans);
+    ground_spans_known_ |= ground;
+  }
   SpanPiece left = piece;
   bool shadowed = false;
   const auto change = [&](double x, float slack, bool to) {
@@ -48,7 +55,7 @@ void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& s
     }
     if (x < piece.x1) shadowed = to;
   };
-  for (const ShadowSpan& span : spans_) {
+  for (const ShadowSpan& span : spans) {
     if (span.x1 <= piece.x0) continue;
     if (span.x0 >= piece.x1) break;
     change(span.x0, span.slack0, true);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/geometry/even_odd.h"
 #include "core/visibility/caster_index.h"
 #include "core/visibility/depth.h"
 #include "core/visibility/light_frame.h"
@@ -141,7 +142,7 @@ struct ShadowCaster::Impl {
   bool cast_body(Index body, const Receiver& r, Work& work) const;
   bool leave_outline(const FrontBody& body, const Receiver& r, Work& work) const;
   void leave_faces(Index body, const Receiver& r, Work& work) const;
-  void leave_face(Index face, const Receiver& r, Work& work) const;
+  void leave_face(Index face, bool crossed, const Receiver& r, Work& work) const;
   void leave(const Receiver& r, Work& work) const;
   const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
   double height_over(const Receiver& r, Index body, Index vertex) const;
@@ -297,19 +298,22 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r,
 
 void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) const {
   const std::vector<Index>& faces = index.faces_of(body);
+  const std::vector<char>& crossed = index.crossed(body);
+  const auto visit = [&](Index i) { leave_face(faces[i], crossed[i] != 0, r, work); };
   if (r.body == kNone) {
-    for (const Index face : faces) leave_face(face, r, work);
+    for (Index i = 0; i < faces.size(); ++i) visit(i);
     return;
   }
   const LightRegion region{Vec2(r.region.low.x, -r.region.high.y),
                            Vec2(r.region.high.x, -r.region.low.y)};
-  index.grid_of(body).over(region, work.faces, [&](Index i) { leave_face(faces[i], r, work); });
+  index.grid_of(body).over(region, work.faces, visit);
 }
 
-void ShadowCaster::Impl::leave_face(Index g, const Receiver& r, Work& work) const {
+void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Work& work) const {
   const CanonicalFace& f = whole.faces[g];
   if (f.plane == r.plane_id) return;
   const bool turn = light.from_behind(g);
+  std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     work.loop.clear(), work.heights.clear();
     bool above = false, below = false;
@@ -325,8 +329,17 @@ void ShadowCaster::Impl::leave_face(Index g, const Receiver& r, Work& work) cons
     }
     work.polygon.clear();
     for (const Vec3& p : work.loop) work.polygon.emplace_back(frame(p));
+    if (crossed) {
+      loops.push_back(work.polygon);
+      continue;
+    }
     if (turn) std::reverse(work.polygon.begin(), work.polygon.end());
     if (!separate(outline_of(r, work), work.polygon)) leave(r, work);
+  }
+  if (!crossed) return;
+  for (const Trapezoid& part : even_odd(loops).parts) {
+    work.polygon.assign(part.begin(), part.end());
+    leave(r, work);
   }
 }
 
