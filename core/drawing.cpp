@@ -68,11 +68,13 @@ class Pool {
 /// The lines of a family over a grid, and the turned grid in which they are y = const.
 struct FamilyFrame {
   FamilyFrame(const ScanFamily& f, const Grid& grid)
-      : family(f), c(cos_deg(f.angle_deg)), s(sin_deg(f.angle_deg)) {
+      : FamilyFrame(f, grid, TurnBack(f.angle_deg)) {}
+  FamilyFrame(const ScanFamily& f, const Grid& grid, const TurnBack& turn)
+      : family(f), c(turn.cosine), s(turn.sine), minus_s(turn.minus_sine) {
     const Vec2 corners[4] = {{0, 0}, {grid.columns, 0}, {grid.columns, grid.rows}, {0, grid.rows}};
     low = Vec2(1e300), high = Vec2(-1e300);
     for (const Vec2& p : corners) {
-      const Vec2 q(c * p.x + s * p.y, -s * p.x + c * p.y);
+      const Vec2 q(c * p.x + s * p.y, minus_s * p.x + c * p.y);
       low = glm::min(low, q), high = glm::max(high, q);
     }
     first = static_cast<std::int64_t>(std::ceil((low.y - family.offset) / family.spacing));
@@ -84,7 +86,7 @@ struct FamilyFrame {
     return family.offset + static_cast<double>(index) * family.spacing;
   }
   /// The turned grid's origin in the grid.
-  Vec2 origin() const { return Vec2(c * low.x - s * low.y, s * low.x + c * low.y); }
+  Vec2 origin() const { return Vec2(c * low.x + minus_s * low.y, s * low.x + c * low.y); }
 
   /// Where the line n . p = at lies in the grid, along the line.
   std::pair<double, double> within(double at, const Grid& grid) const {
@@ -104,7 +106,7 @@ struct FamilyFrame {
   }
 
   ScanFamily family;
-  double c, s;
+  double c, s, minus_s;
   Vec2 low, high;
   std::int64_t first, last;
 };
@@ -340,8 +342,7 @@ void Drawing::Impl::scan(const RunSource& source, const FamilyFrame& frame, doub
         const std::size_t before = c.runs.size();
         scanner.resolve(at - frame.low.y, c.runs);
         const auto [t0, t1] = frame.within(at, grid);
-        if (frame.family.angle_deg != 0)
-          shift_and_clip(c.runs, before, shift, t0, t1);
+        if (frame.family.angle_deg != 0) shift_and_clip(c.runs, before, shift, t0, t1);
         c.ends.push_back(c.runs.size());
       }
     });

@@ -18,4 +18,13 @@ double atan2_deg(double y, double x);
 /// Arc cosine in degrees, for chords (tessellation); within 1e-15 relative.
 double acos_deg(double c);
 
+/// (x, y) -> (x cosine + y sine, y cosine + x minus_sine): coordinates in a frame turned by the
+/// angle. The sine's negative is a number of its own, since GCC 12 fuses x c + y s and y c - x s to
+/// one multiply-add-and-subtract where the processor has it, whatever -ffp-contract says.
+struct TurnBack {
+  double cosine, sine, minus_sine;
+  explicit TurnBack(double degrees)
+      : cosine(cos_deg(degrees)), sine(sin_deg(degrees)), minus_sine(sin_deg(-degrees)) {}
+};
+
 }  // namespace overstrike

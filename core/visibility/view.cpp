@@ -111,13 +111,13 @@ View make_view(const Scene& scene, const Grid& grid, double margin) {
 }
 
 View turned(const View& view, double angle_deg, Vec2 origin, double scale) {
-  const double c = cos_deg(angle_deg), s = sin_deg(angle_deg);
+  const TurnBack turn(angle_deg);
   const Vec4 w = row_of(view.matrix, 2);
   const Vec4 x = row_of(view.matrix, 0) - w * origin.x;
   const Vec4 y = row_of(view.matrix, 1) - w * origin.y;
   View result = view;
-  set_row(result.matrix, 0, (x * c + y * s) * scale);
-  set_row(result.matrix, 1, (y * c - x * s) * scale);
+  set_row(result.matrix, 0, (x * turn.cosine + y * turn.sine) * scale);
+  set_row(result.matrix, 1, (y * turn.cosine + x * turn.minus_sine) * scale);
   result.world_per_cell = view.world_per_cell / scale;
   return result;
 }

@@ -17,7 +17,7 @@ namespace {
 #ifdef OVERSTRIKE_HARD_LONG
 constexpr std::size_t kPosesOfCase = 96;
 #else
-constexpr std::size_t kPosesOfCase = 3;
+constexpr std::size_t kPosesOfCase = 2;
 #endif
 constexpr std::size_t kMostBodies = 64;
 

@@ -211,6 +211,23 @@ bool Crossings::may_be_off(const Vec2& p, const Seen& one, const Seen& other, do
   return false;
 }
 
+bool Crossings::on_border(const Vec2& p, const Seen& seen, double error) const {
+  if (seen.face == kNone) return false;
+  const CanonicalBody& body = in_.bodies[seen.body];
+  for (Index i = body.first_edge; i < body.end_edge; ++i) {
+    const WingedEdge& e = in_.edges[i];
+    if ((e.left == seen.face || e.right == seen.face) &&
+        is_near(p, image(in_.vertices[e.from]), image(in_.vertices[e.to]), error))
+      return true;
+  }
+  return false;
+}
+
+bool Crossings::on_both_borders(const Vec2& p, const Seen& one, const Seen& other,
+                                double error) const {
+  return on_border(p, one, error) && on_border(p, other, error);
+}
+
 std::vector<Crossings::Place> Crossings::places(const Line& line, const Seen& seen) const {
   Search search{line, {}};
   everything(search, seen, seen);

@@ -42,6 +42,10 @@ class Crossings {
   /// across that border, takes it over.
   bool may_be_off(const Vec2& p, const Seen& one, const Seen& other, double error) const;
 
+  /// True when the point lies on an edge of each of two faces, to within `error` grid units: whether
+  /// it is in the one, the other or both is a matter of rounding.
+  bool on_both_borders(const Vec2& p, const Seen& one, const Seen& other, double error) const;
+
   /// A place on a line where something may change, and its condition number.
   struct Place {
     double s, condition;
@@ -63,6 +67,7 @@ class Crossings {
   double depth_error(const Plane& plane, const Vec2& p, double error) const;
   double welded_by(const CanonicalFace& face) const;
   bool near_cut(const Vec2& p, Index body) const;
+  bool on_border(const Vec2& p, const Seen& seen, double error) const;
   bool near_shadow(const Vec2& p, const Plane& receiver, double error) const;
   bool near_depth(const Vec2& p, const Plane& a, const Plane& b, double error) const;
   void everything(Search& search, const Seen& left, const Seen& right) const;

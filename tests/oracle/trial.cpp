@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "core/visibility/clip.h"
@@ -23,7 +25,9 @@ std::string to_text(const Seen& s) {
 }
 
 std::string place(const Vec2& p) {
-  return "at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + "): ";
+  std::ostringstream text;
+  text << std::setprecision(12) << "at (" << p.x << ", " << p.y << "): ";
+  return text.str();
 }
 
 Line line_of(const ScanFamily& family, std::int64_t index) {
@@ -63,19 +67,11 @@ std::vector<Stretch> ScannedLine::stretches() const {
   std::vector<Stretch> made;
   double s = from;
   const auto add = [&](double until, const DensityRun* run) {
-    if (until - s > kThinnest)
-      made.push_back({s, until, run});
-    else if (!made.empty())
-      made.back().to = until;
-    else
-      return;
+    if (until > s) made.push_back({s, until, run});
     s = until;
   };
-  for (const DensityRun& r : runs) {
-    if (r.x0 > s) add(r.x0, nullptr);
-    add(r.x1, &r);
-  }
-  if (s < to) add(to, nullptr);
+  for (const DensityRun& r : runs) add(r.x0, nullptr), add(r.x1, &r);
+  add(to, nullptr);
   return made;
 }
 
@@ -266,7 +262,8 @@ bool Trial::is_right(const Line& line, double s, const Seen& found) const {
   for (const Vec2& d : {Vec2(0), along, -along, across, -across, along + across, along - across,
                         across - along, -along - across}) {
     const Seen expected = oracle_at(p + d);
-    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError))
+    if (expected.same(found) || crossings_.may_be_off(p + d, expected, found, kEndError) ||
+        crossings_.on_both_borders(p, expected, found, kEndError))
       return true;
   }
   return false;
@@ -280,6 +277,7 @@ void Trial::judge_ends(int count) {
     if (stretches.size() < 2) continue;
     const std::size_t i = bits_() % (stretches.size() - 1);
     const double s = stretches[i].to;
+    if (stretches[i].width() < kThinnest || stretches[i + 1].width() < kThinnest) continue;
     if (stretches[i].seen(s).same(stretches[i + 1].seen(s))) continue;
     judge_end(scanned.line, stretches[i], stretches[i + 1]);
     --count;
@@ -291,7 +289,10 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
   const double s = left.to;
   const Seen l = left.seen(s), r = right.seen(s);
   std::string seen;
-  for (const double condition : crossings_.conditions(line, s, l, r)) {
+  // An edge along the line crosses it nowhere, or anywhere.
+  std::vector<double> conditions = crossings_.conditions(line, s, l, r);
+  conditions.insert(conditions.begin(), 1.0);
+  for (const double condition : conditions) {
     const double reach = kEndError * std::max(1.0, condition);
     const double before = std::max(s - reach, (left.from + s) / 2),
                  after = std::min(s + reach, (right.to + s) / 2);
@@ -301,7 +302,7 @@ void Trial::judge_end(const Line& line, const Stretch& left, const Stretch& righ
         "; conditioned " + std::to_string(condition) + ": " + to_text(was) + " | " + to_text(is);
   }
   fail(place(line.at(s)) + "a run ends between " + to_text(l) + " | " + to_text(r) +
-       (seen.empty() ? ", where nothing crosses" : ", the oracle sees" + seen));
+       ", the oracle sees" + seen);
 }
 
 }  // namespace overstrike::oracle

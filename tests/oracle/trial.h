@@ -41,6 +41,7 @@ constexpr int kPoints = 30, kEnds = 5;
 struct Stretch {
   double from, to;
   const DensityRun* run;  ///< null: paper
+  double width() const { return to - from; }
   Seen seen(double s) const;
 };
 
@@ -48,7 +49,6 @@ struct ScannedLine {
   Line line;
   double from, to;  ///< where the line lies in the grid
   std::vector<DensityRun> runs;
-  /// But for those thinner than kThinnest, which count as part of what is left of them.
   std::vector<Stretch> stretches() const;
 };
 
