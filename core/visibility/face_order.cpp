@@ -19,8 +19,8 @@ int FaceOrder::compare(Index f, Index g, double x, double y) const {
 }
 
 double FaceOrder::crossing(Index f, Index g, double y) const {
-  // Grid units: errors of ends are told from true displacements at a thousand times that.
-  constexpr double kGoodEnough = 1e-12;
+  // Grid units: no device and no test tells a smaller displacement of an end.
+  constexpr double kGoodEnough = 1e-9;
   const DepthPlane p = depth_of(f), q = depth_of(g);
   const double slope = p.a - q.a;
   const double x = -((p.b - q.b) * y + (p.c - q.c)) / slope;
