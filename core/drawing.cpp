@@ -191,7 +191,7 @@ struct Drawing::Impl {
   const ShadowCaster* caster() {
     if (!caster_ && whole->light) {
       Stopwatch watch;
-      caster_ = std::make_unique<ShadowCaster>(*whole, seen(), view);
+      caster_ = std::make_unique<ShadowCaster>(*whole, seen(), view, options.threads);
       timings.light_ms += watch.ms();
     }
     return caster_.get();
@@ -210,7 +210,8 @@ struct Drawing::Impl {
     if (lines_) return *lines_;
     const ShadowCaster* const casting = caster();
     Stopwatch watch;
-    lines_ = std::make_unique<LineSource>(seen(), view, casting, density_tolerance());
+    lines_ =
+        std::make_unique<LineSource>(seen(), view, casting, density_tolerance(), options.threads);
     timings.eye_ms += watch.ms();
     return *lines_;
   }
@@ -381,7 +382,7 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
   }
   const ShadowCaster* const casting = caster();
   Stopwatch table_watch;
-  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance());
+  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance(), options.threads);
   timings.eye_ms += table_watch.ms();
   scan(turned_lines, frame, frame.low.x, sink);
 }

@@ -318,8 +318,7 @@ class Assembler {
     std::vector<Index> place(p.indices.size());
     for (Index l = 0; l < p.loop_ends.size(); ++l) {
       const Index start = p.first_index(l), n = p.loop_ends[l] - start;
-      for (Index i = 0; i < n; ++i)
-        place[start + i] = start + (mirrored ? n - 1 - i : i);
+      for (Index i = 0; i < n; ++i) place[start + i] = start + (mirrored ? n - 1 - i : i);
     }
     out_.twins.resize(first + twins.size());
     for (std::size_t i = 0; i < twins.size(); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/in_order.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/ground_polygon.h"
 
@@ -322,7 +323,8 @@ void Builder::add_ground() {
 
 }  // namespace
 
-FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, FrontUse for_use)
+FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, FrontUse for_use,
+                       int threads)
     : canonical(canonical_input),
       view(in_view),
       use(for_use),
@@ -336,12 +338,19 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       depths(canonical.planes, further_planes, view) {
   // Room, not memory, until it is used.
   if (use == FrontUse::picture) small_sides.reserve(canonical.edges.size());
+  // By what a part costs, its faces.
+  constexpr std::size_t kFacesAtOnce = 4096;
+  const std::size_t faces_a_body = canonical.faces.size() / (canonical.bodies.size() + 1) + 1;
+  in_parallel(canonical.bodies.size(), threads, kFacesAtOnce / faces_a_body + 1,
+              [&](std::size_t first, std::size_t end) {
+                Builder part(*this);
+                for (std::size_t b = first; b < end; ++b) {
+                  part.project(static_cast<Index>(b));
+                  part.look_at_faces(static_cast<Index>(b));
+                }
+              });
   Builder builder(*this);
-  for (Index b = 0; b < canonical.bodies.size(); ++b) {
-    builder.project(b);
-    builder.look_at_faces(b);
-    builder.find_outline(b);
-  }
+  for (Index b = 0; b < canonical.bodies.size(); ++b) builder.find_outline(b);
   if (use == FrontUse::outlines) return;
   builder.add_ground();
 }

@@ -106,7 +106,8 @@ struct ManifoldLevels {
 enum class FrontUse : std::uint8_t { picture, outlines };
 
 struct FrontTable {
-  FrontTable(const Canonical& canonical, const View& view, FrontUse use = FrontUse::picture);
+  /// On up to `threads` threads (0: all processors); the same whatever their number.
+  FrontTable(const Canonical& canonical, const View& view, FrontUse use, int threads);
   FrontTable(const FrontTable&) = delete;
   FrontTable& operator=(const FrontTable&) = delete;
 

@@ -20,8 +20,8 @@ void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
 
 }  // namespace
 
-SweepTable::SweepTable(const Canonical& canonical, const View& view)
-    : fronts(canonical, view),
+SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads)
+    : fronts(canonical, view, FrontUse::picture, threads),
       loose(fronts),
       bodies(fronts.rows, fronts.bodies.size(), [&](std::size_t i) {
         const FrontBody& body = fronts.bodies[i];

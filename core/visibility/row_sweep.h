@@ -21,7 +21,7 @@ namespace overstrike {
 
 /// What all sweeps of a picture share.
 struct SweepTable {
-  SweepTable(const Canonical& canonical, const View& view);
+  SweepTable(const Canonical& canonical, const View& view, int threads);
 
   FrontTable fronts;
   LooseEdges loose;

@@ -24,8 +24,8 @@ class LineScanner : public RunScanner {
 }  // namespace
 
 LineSource::LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
-                       double density_tolerance)
-    : table_(canonical, view),
+                       double density_tolerance, int threads)
+    : table_(canonical, view, threads),
       shadows_(table_.fronts, caster),
       density_tolerance_(density_tolerance) {}
 

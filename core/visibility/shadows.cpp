@@ -123,12 +123,12 @@ ShadowCaster::Scratch::Scratch(Scratch&&) noexcept = default;
 struct ShadowCaster::Impl {
   using Work = Scratch::Impl;
 
-  Impl(const Canonical& whole_input, const Canonical& seen_input, const View& in_view)
+  Impl(const Canonical& whole_input, const Canonical& seen_input, const View& in_view, int threads)
       : whole(whole_input),
         seen(seen_input),
         view(in_view),
         frame(*whole.light),
-        light(whole, view_of(frame), FrontUse::outlines),
+        light(whole, view_of(frame), FrontUse::outlines, threads),
         index(light) {
     if (&whole == &seen) return;
     std::map<Index, Index> by_source;
@@ -429,8 +429,9 @@ Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
   return shadow;
 }
 
-ShadowCaster::ShadowCaster(const Canonical& whole, const Canonical& seen, const View& view)
-    : impl_(whole.light ? std::make_unique<const Impl>(whole, seen, view) : nullptr) {}
+ShadowCaster::ShadowCaster(const Canonical& whole, const Canonical& seen, const View& view,
+                           int threads)
+    : impl_(whole.light ? std::make_unique<const Impl>(whole, seen, view, threads) : nullptr) {}
 ShadowCaster::~ShadowCaster() = default;
 
 bool ShadowCaster::receives(Index receiver) const {
@@ -456,7 +457,7 @@ std::vector<Shadow> ShadowCaster::all() const {
 }
 
 std::vector<Shadow> cast_shadows(const Canonical& whole, const Canonical& seen, const View& view) {
-  return ShadowCaster(whole, seen, view).all();
+  return ShadowCaster(whole, seen, view, 1).all();
 }
 
 }  // namespace overstrike

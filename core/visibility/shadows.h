@@ -46,7 +46,7 @@ class ShadowCaster {
  public:
   /// `whole` casts; `seen` (the same, or what near clipping left of it) receives. Both must outlive
   /// this. Without a light nothing is cast.
-  ShadowCaster(const Canonical& whole, const Canonical& seen, const View& view);
+  ShadowCaster(const Canonical& whole, const Canonical& seen, const View& view, int threads);
   ~ShadowCaster();
 
   /// What one thread needs.

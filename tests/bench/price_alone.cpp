@@ -10,7 +10,7 @@ namespace overstrike::bench {
 std::size_t scan_alone(const Prepared& prepared) {
   const FloatEnvironment ours;
   const LineSource source(*prepared.canonical, prepared.view, nullptr,
-                          density_tolerance_of(DrawOptions{}.tolerance));
+                          density_tolerance_of(DrawOptions{}.tolerance), 1);
   const std::unique_ptr<RunScanner> scanner = source.scanner();
   std::vector<DensityRun> runs;
   std::size_t count = 0;
