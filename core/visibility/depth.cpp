@@ -61,6 +61,10 @@ DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& f
       rounded_[i][j] = cofactor.approximate();
       adjugate_[i][j] = std::move(cofactor);
     }
+  // A normal is of unit length but for rounding.
+  for (int j = 0; j < 4; ++j)
+    normal_size_[j] = 1.0001 * (std::fabs(rounded_[0][j]) + std::fabs(rounded_[1][j]) +
+                                std::fabs(rounded_[2][j]));
 }
 
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
@@ -78,29 +82,33 @@ DepthMap::Image DepthMap::image(Index number) const {
 }
 
 // |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
-// digits: e_j bound the errors of the components of pi', and the factor covers the rounding of this
-// and of z itself, which is at most as large.
+// digits: e_j bound the errors of the components of pi', here for all normals of unit length, and
+// the factor covers the rounding of this and of z itself, which is at most as large.
 bool DepthMap::add_range(Index number, std::span<const Index> corners,
                          const std::vector<Vec2>& points, const Vec2& reach, double& low,
                          double& high) const {
-  const Image pi = image(number);
+  const Plane& p = plane(number);
+  double value[4], size[4];
+  for (int j = 0; j < 4; ++j) {
+    value[j] = p.normal.x * rounded_[0][j] + p.normal.y * rounded_[1][j] +
+               p.normal.z * rounded_[2][j] - p.offset * rounded_[3][j];
+    size[j] = normal_size_[j] + std::fabs(p.offset * rounded_[3][j]);
+  }
   constexpr double kFirstDigits = 1e-3;
-  if (!(kDotError * pi.size[3] <= kFirstDigits * std::fabs(pi.value[3]))) {
+  if (!(kDotError * size[3] <= kFirstDigits * std::fabs(value[3]))) {
     low = -HUGE_VAL, high = HUGE_VAL;
     return depth(number).has_value();
   }
-  const double over = -1 / pi.value[3];
-  const double a = pi.value[0] * over, b = pi.value[1] * over, c = pi.value[2] * over;
+  const double over = -1 / value[3];
+  const double a = value[0] * over, b = value[1] * over, c = value[2] * over;
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Index corner : corners) {
-    const Vec2& p = points[corner];
-    const double z = a * p.x + b * p.y + c;
+    const double z = a * points[corner].x + b * points[corner].y + c;
     least = std::min(least, z), most = std::max(most, z);
   }
   const double farthest = std::max(std::fabs(least), std::fabs(most));
-  const double size =
-      reach.x * pi.size[0] + reach.y * pi.size[1] + pi.size[2] + farthest * pi.size[3];
-  const double error = 4 * kDotError * size * std::fabs(over);
+  const double sizes = reach.x * size[0] + reach.y * size[1] + size[2] + farthest * size[3];
+  const double error = 4 * kDotError * sizes * std::fabs(over);
   low = std::min(low, least - error), high = std::max(high, most + error);
   return true;
 }

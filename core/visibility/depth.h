@@ -55,6 +55,7 @@ class DepthMap {
   const std::vector<Plane>& further_;
   std::array<std::array<Expansion, 4>, 4> adjugate_;
   std::array<std::array<double, 4>, 4> rounded_;
+  std::array<double, 4> normal_size_;  ///< bounds of the sums of a normal's terms
 };
 
 /// Sign of the difference of two depths at the point of the grid where doubles can tell, else 0.

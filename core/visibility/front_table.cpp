@@ -24,12 +24,16 @@ class Builder {
  public:
   explicit Builder(FrontTable& table) : table_(table), c_(table.canonical), view_(table.view) {}
 
-  void project(Index number);
-  void look_at_faces(Index number);
+  void look_at(Index number) {
+    project(number);
+    look_at_faces(number);
+  }
   void find_outline(Index number);
   void add_ground();
 
  private:
+  void project(Index number);
+  void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
   bool turned(const CanonicalFace& f) const;
@@ -338,19 +342,20 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       depths(canonical.planes, further_planes, view) {
   // Room, not memory, until it is used.
   if (use == FrontUse::picture) small_sides.reserve(canonical.edges.size());
-  // By what a part costs, its faces.
+  // By what a part costs, its faces. Alone, one goes over each body once.
   constexpr std::size_t kFacesAtOnce = 4096;
   const std::size_t faces_a_body = canonical.faces.size() / (canonical.bodies.size() + 1) + 1;
-  in_parallel(canonical.bodies.size(), threads, kFacesAtOnce / faces_a_body + 1,
-              [&](std::size_t first, std::size_t end) {
-                Builder part(*this);
-                for (std::size_t b = first; b < end; ++b) {
-                  part.project(static_cast<Index>(b));
-                  part.look_at_faces(static_cast<Index>(b));
-                }
-              });
   Builder builder(*this);
-  for (Index b = 0; b < canonical.bodies.size(); ++b) builder.find_outline(b);
+  if (threads != 1)
+    in_parallel(canonical.bodies.size(), threads, kFacesAtOnce / faces_a_body + 1,
+                [&](std::size_t first, std::size_t end) {
+                  Builder part(*this);
+                  for (std::size_t b = first; b < end; ++b) part.look_at(static_cast<Index>(b));
+                });
+  for (Index b = 0; b < canonical.bodies.size(); ++b) {
+    if (threads == 1) builder.look_at(b);
+    builder.find_outline(b);
+  }
   if (use == FrontUse::outlines) return;
   builder.add_ground();
 }

@@ -12,7 +12,7 @@ double density_tolerance_of(double tolerance) { return std::min(tolerance / 100,
 void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
                       std::vector<DensityRun>& runs) {
   if (shadows_.none()) {
-    for (const SpanPiece& piece : pieces) part(y, piece, false, runs);
+    for (const SpanPiece& piece : pieces) unshadowed(y, piece, runs);
     return;
   }
   ground_spans_known_ = false;
@@ -67,20 +67,25 @@ void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& s
 
 void RunShader::part(double y, const SpanPiece& piece, bool shadowed,
                      std::vector<DensityRun>& runs) {
-  const FaceTone& tone = table_.tones[piece.face];
-  if (tone.smooth && !shadowed) return smooth(y, piece, runs);
+  if (!shadowed) return unshadowed(y, piece, runs);
+  const DensityLaw& law = table_.canonical.law;
   if (piece.face == table_.ground()) {
-    const DensityLaw& law = table_.canonical.law;
     const double density = std::clamp(law.hmax * law.ground_shadow_factor, 0.0, 1.0);
-    if (shadowed)
-      runs.push_back(
-          {piece.x0, piece.x1, density, density, kNoSurface, kNoSurface, Kind::ground_shadow});
+    runs.push_back(
+        {piece.x0, piece.x1, density, density, kNoSurface, kNoSurface, Kind::ground_shadow});
     return;
   }
-  double density = tone.density;
-  if (shadowed) density = shade_density(table_.canonical, table_.canonical.bodies[tone.body]);
-  runs.push_back({piece.x0, piece.x1, density, density, piece.face, tone.body,
-                  shadowed ? Kind::shadow : tone.kind});
+  const Index body = table_.tones[piece.face].body;
+  const double density = shade_density(table_.canonical, table_.canonical.bodies[body]);
+  runs.push_back({piece.x0, piece.x1, density, density, piece.face, body, Kind::shadow});
+}
+
+void RunShader::unshadowed(double y, const SpanPiece& piece, std::vector<DensityRun>& runs) {
+  const FaceTone& tone = table_.tones[piece.face];
+  if (tone.smooth) return smooth(y, piece, runs);
+  if (tone.body == kNone) return;  // the ground: bare paper
+  runs.push_back(
+      {piece.x0, piece.x1, tone.density, tone.density, piece.face, tone.body, tone.kind});
 }
 
 /// Density times 1/w^ and 1/w^ itself are linear over the grid on a triangle of the face's fan (the

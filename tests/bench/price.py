@@ -2,7 +2,7 @@
 """What features cost that a scene does not have, in instructions: price.py SOURCES price_driver
 
 Callgrind counts the instructions of every source line of a scene drawn without a feature. The
-feature's lines are those of FEATURES below: whole files, functions whose head has one of its words,
+feature's lines are those of FEATURES below: whole files, functions whose name has one of its words,
 and single lines that have one. Their own instructions, and those of what they call, may be at most
 LIMIT of the whole. With the feature, the same lines must cost more, or the table has lost track of
 the code. `--lines N` tells the N dearest lines of each feature. Exits 1 when something costs too
@@ -56,7 +56,9 @@ def lines_of(text, whole_file, words):
     for i, line in enumerate(lines):
         if not words.search(line.split("//")[0]):
             continue
-        last = function_end(lines, i)
+        # A function that only passes the feature on, as a parameter, is not the feature's.
+        named = words.search(line.split("(")[0])
+        last = function_end(lines, i) if named else None
         found.update(range(i + 1, (i if last is None else last) + 2))
     return found
 
