@@ -12,7 +12,7 @@ double density_tolerance_of(double tolerance) { return std::min(tolerance / 100,
 void RunShader::shade(double y, const std::vector<SpanPiece>& pieces,
                       std::vector<DensityRun>& runs) {
   if (shadows_.none()) {
-    for (const SpanPiece& piece : pieces) unshadowed(y, piece, runs);
+    for (const SpanPiece& piece : pieces) toned(y, piece, runs);
     return;
   }
   ground_spans_known_ = false;
@@ -67,7 +67,7 @@ void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& s
 
 void RunShader::part(double y, const SpanPiece& piece, bool shadowed,
                      std::vector<DensityRun>& runs) {
-  if (!shadowed) return unshadowed(y, piece, runs);
+  if (!shadowed) return toned(y, piece, runs);
   const DensityLaw& law = table_.canonical.law;
   if (piece.face == table_.ground()) {
     const double density = std::clamp(law.hmax * law.ground_shadow_factor, 0.0, 1.0);
@@ -80,7 +80,7 @@ void RunShader::part(double y, const SpanPiece& piece, bool shadowed,
   runs.push_back({piece.x0, piece.x1, density, density, piece.face, body, Kind::shadow});
 }
 
-void RunShader::unshadowed(double y, const SpanPiece& piece, std::vector<DensityRun>& runs) {
+void RunShader::toned(double y, const SpanPiece& piece, std::vector<DensityRun>& runs) {
   const FaceTone& tone = table_.tones[piece.face];
   if (tone.smooth) return smooth(y, piece, runs);
   if (tone.body == kNone) return;  // the ground: bare paper

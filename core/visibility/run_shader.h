@@ -38,7 +38,8 @@ class RunShader {
   void shaded(double y, const SpanPiece& piece, const ReceiverShadow& shadow,
               std::vector<DensityRun>& runs);
   void part(double y, const SpanPiece& piece, bool shadowed, std::vector<DensityRun>& runs);
-  void unshadowed(double y, const SpanPiece& piece, std::vector<DensityRun>& runs);
+  /// Away from shadows.
+  void toned(double y, const SpanPiece& piece, std::vector<DensityRun>& runs);
   void smooth(double y, const SpanPiece& piece, std::vector<DensityRun>& runs);
   void bent(DensityRun run, const Gradient& gradient, double y, int depth,
             std::vector<DensityRun>& runs) const;
