@@ -84,9 +84,8 @@ DepthMap::Image DepthMap::image(Index number) const {
 // |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
 // digits: e_j bound the errors of the components of pi', here for all normals of unit length, and
 // the factor covers the rounding of this and of z itself, which is at most as large.
-bool DepthMap::add_range(Index number, std::span<const Index> corners,
-                         const std::vector<Vec2>& points, const Vec2& reach, double& low,
-                         double& high) const {
+bool DepthMap::add_range(Index number, std::span<const Index> corners, std::span<const Vec2> points,
+                         const Vec2& reach, double& low, double& high) const {
   const Plane& p = plane(number);
   double value[4], size[4];
   for (int j = 0; j < 4; ++j) {

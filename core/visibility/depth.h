@@ -39,7 +39,7 @@ class DepthMap {
   double crossing_exactly(Index f, Index g, double y) const;
   /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
   /// `reach`: widens low..high. False when the plane passes through the eye.
-  bool add_range(Index plane, std::span<const Index> corners, const std::vector<Vec2>& points,
+  bool add_range(Index plane, std::span<const Index> corners, std::span<const Vec2> points,
                  const Vec2& reach, double& low, double& high) const;
 
  private:
@@ -92,6 +92,7 @@ inline int sign_of_dot(const Vec4& p, const Vec4& q) {
   const double sum = ((t0 + t1) + t2) + t3;
   const double size = ((std::fabs(t0) + std::fabs(t1)) + std::fabs(t2)) + std::fabs(t3);
   if (std::fabs(sum) > kDotError * size) return sum > 0 ? 1 : -1;
+  if (size == 0) return 0;
   return sign_of_dot_exactly(p, q);
 }
 

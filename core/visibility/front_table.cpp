@@ -298,9 +298,7 @@ void Builder::add_ground() {
   const std::vector<Vec2> polygon =
       ground_polygon(c_, view_, [&](GroundPlane p) { return table_.depths.depth(plane + p); });
   const Index number = table_.ground_body();
-  FaceTone& tone = table_.tones[table_.ground()];
-  tone.body = kNone;
-  tone.kind = Kind::lit;
+  table_.tones[table_.ground()] = {0, kNone, Kind::lit, false};
   const bool is_seen = polygon.size() > 2;
   table_.sides[table_.ground()] = is_seen;
   FrontBody& ground = table_.bodies[number];

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/unset_vector.h"
 #include "core/visibility/canonical.h"
 #include "core/visibility/depth.h"
 #include "core/visibility/view.h"
@@ -115,10 +116,10 @@ struct FrontTable {
   View view;
   FrontUse use;
   double columns, rows;
-  std::vector<Vec2> points;        ///< of the vertices
+  UnsetVector<Vec2> points;        ///< of the vertices
   std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
                                    ///< (of open bodies), 0 not at all
-  std::vector<FaceTone> tones;     ///< of the faces that are seen, for a picture
+  UnsetVector<FaceTone> tones;     ///< of the faces that are seen, for a picture
   std::vector<FrontBody> bodies;
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
