@@ -25,7 +25,7 @@ FEATURES = {
     "patterns": (r"pattern", r"pattern"),
     "segments": (r"segment", r"segment"),
     "strokes": (r"stroke|chains|edge_resolver|candidate_lines", r"stroke"),
-    "interpenetration": (r"interpenetration|crossings", r"may_cross|crossing|crosses"),
+    "interpenetration": (r"interpenetration|crossings|span_split", r"crossing|crosses|merge|meeting_(?!bodies)|surely_nearest"),
 }
 
 CONTROL = re.compile(r"\s*(if|for|while|else|return|switch|do|case|namespace|using|typedef|enum)\b")
