@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/drawing.h"
-#include "tests/bench/random.h"
 #include "tests/oracle/oracle.h"
+#include "tests/oracle/random.h"
 
 namespace overstrike::bench {
 namespace {
@@ -21,12 +21,12 @@ struct Cell {
   int column;
 };
 
-std::size_t below(Random& random, std::size_t count) {
-  return static_cast<std::size_t>(random.between(0, static_cast<double>(count)));
+std::size_t below(oracle::Random& random, std::size_t count) {
+  return static_cast<std::size_t>(random.in(0, static_cast<double>(count)));
 }
 
 /// At most `most` of the cells, any one as likely as another.
-std::vector<Cell> some_of(std::vector<Cell> cells, std::size_t most, Random& random) {
+std::vector<Cell> some_of(std::vector<Cell> cells, std::size_t most, oracle::Random& random) {
   const std::size_t count = std::min(most, cells.size());
   for (std::size_t i = 0; i < count; ++i)
     std::swap(cells[i], cells[i + below(random, cells.size() - i)]);
@@ -103,10 +103,10 @@ bool agrees(const DensityRun* run, const oracle::Seen& seen, double x) {
 
 std::vector<int> sampled_rows(const Grid& grid, int count) {
   const int all = static_cast<int>(grid.rows);
-  Random random(2026);
+  oracle::Random random(2026);
   std::vector<int> rows;
   for (int i = 0; i < count; ++i)
-    rows.push_back(static_cast<int>(random.between(0, static_cast<double>(all))));
+    rows.push_back(static_cast<int>(random.in(0, static_cast<double>(all))));
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
@@ -140,11 +140,11 @@ std::vector<double> wrong_ppm(const Prepared& prepared, const std::vector<int>& 
   const std::size_t cells = rows.size() * static_cast<std::size_t>(columns);
   const std::vector<Cell> disputed = disputed_cells(methods);
   Tally tally(prepared, rows, methods);
-  Random random(1);
+  oracle::Random random(1);
   const std::vector<Cell> asked = some_of(disputed, kMostAsked, random);
   for (const Cell& cell : asked) tally.ask(cell, share(disputed.size(), asked.size()));
   for (std::size_t i = 0; i < kAgreedAsked; ++i) {
-    const Cell cell{below(random, rows.size()), static_cast<int>(random.between(0, columns))};
+    const Cell cell{below(random, rows.size()), static_cast<int>(random.in(0, columns))};
     if (!is_disputed(methods, cell)) tally.ask(cell, share(cells - disputed.size(), kAgreedAsked));
   }
   for (double& w : tally.wrong) w *= kMillion / static_cast<double>(cells);
@@ -154,11 +154,11 @@ std::vector<double> wrong_ppm(const Prepared& prepared, const std::vector<int>& 
 double wrong_ppm(const Prepared& prepared, const std::vector<int>& rows,
                  const std::vector<std::vector<DensityRun>>& runs, int count) {
   const oracle::Oracle oracle(*prepared.canonical, prepared.view);
-  Random random(2);
+  oracle::Random random(2);
   int wrong = 0;
   for (int i = 0; i < count; ++i) {
     const std::size_t row = below(random, rows.size());
-    const double x = std::floor(random.between(0, prepared.view.grid.columns)) + 0.5;
+    const double x = std::floor(random.in(0, prepared.view.grid.columns)) + 0.5;
     const oracle::Seen seen = oracle.at(x, centre(rows[row]));
     if (!agrees(run_at(runs[row], x), seen, x)) ++wrong;
   }

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "tests/bench/random.h"
+#include "tests/oracle/random.h"
 
 namespace overstrike::bench {
 namespace {
@@ -114,10 +114,10 @@ double worst_run_end(const Prepared& prepared, const std::vector<int>& rows,
     const std::vector<End> more = ends_of(rows[i], runs[i], prepared.view.grid.columns);
     ends.insert(ends.end(), more.begin(), more.end());
   }
-  Random random(3);
+  oracle::Random random(3);
   double worst = 0;
   for (int i = 0; i < kMostEnds && !ends.empty(); ++i) {
-    const End& end = ends[static_cast<std::size_t>(random.between(0, double(ends.size())))];
+    const End& end = ends[static_cast<std::size_t>(random.in(0, double(ends.size())))];
     const Line line(prepared, end.row + 0.5);
     worst = std::max(worst, line.error(end.x, end.left, end.right));
   }

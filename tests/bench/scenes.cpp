@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/drawing.h"
-#include "tests/bench/random.h"
 #include "tests/bench/timing.h"
+#include "tests/oracle/random.h"
 
 namespace overstrike::bench {
 namespace {
@@ -119,8 +119,8 @@ Scene scene_c(int level) {
   Scene scene;
   scene.camera = parallel_camera(Vec3(0, 0, 1), Vec3(0, 1, 0), 2.5);
   const ShapePtr sphere = icosphere(level);
-  Random random(777);
-  for (int i = 0; i < 80; ++i) add(scene, sphere, placed(0.2, random.point_between(-1, 1)));
+  oracle::Random random(777);
+  for (int i = 0; i < 80; ++i) add(scene, sphere, placed(0.2, random.within(Vec3(-1), Vec3(1))));
   return scene;
 }
 
@@ -152,9 +152,9 @@ Scene many_boxes(Boxes where) {
   scene.camera.look_at = Vec3(0.0);
   scene.camera.window_width = 3.6;
   const ShapePtr box = std::make_shared<const Shape>(Box{Vec3(kSide)});
-  Random random(4242);
+  oracle::Random random(4242);
   for (int i = 0; i < kCount; ++i) {
-    Vec3 at = random.point_between(-1, 1);
+    Vec3 at = random.within(Vec3(-1), Vec3(1));
     if (where == Boxes::apart) {
       const Vec3 cell(i % kLattice, i / kLattice % kLattice, i / (kLattice * kLattice));
       at = Vec3(-1.0) + cell * kCell + (at + 1.0) * 0.5 * (kCell - kSide);

@@ -42,8 +42,8 @@ class Crossings {
   /// across that border, takes it over.
   bool may_be_off(const Vec2& p, const Seen& one, const Seen& other, double error) const;
 
-  /// True when the point lies on an edge of each of two faces, to within `error` grid units: whether
-  /// it is in the one, the other or both is a matter of rounding.
+  /// True when the point lies on an edge of each of two faces, to within `error` grid units:
+  /// whether it is in the one, the other or both is a matter of rounding.
   bool on_both_borders(const Vec2& p, const Seen& one, const Seen& other, double error) const;
 
   /// A place on a line where something may change, and its condition number.
