@@ -30,8 +30,9 @@ const Vec3 kAside(0.7548776662466927, 0.5698402909980532, 0.4301597090019468);
 
 class Welder {
  public:
-  Welder(std::span<const PlaneSample> samples, std::span<const Vec3> points)
-      : samples_(samples), points_(points), group_(samples.size(), kNoGroup) {
+  Welder(std::span<const PlaneSample> samples, std::span<const Vec3> points,
+         std::span<const Index> corners)
+      : samples_(samples), points_(points), corners_(corners), group_(samples.size(), kNoGroup) {
     Vec3 low(1e300), high(-1e300);
     for (const PlaneSample& s : samples) {
       low = glm::min(low, s.fit.middle), high = glm::max(high, s.fit.middle);
@@ -114,7 +115,7 @@ class Welder {
     const PlaneSample& r = samples_[representative];
     const double tilt = r.fit.tilt(r.error);
     for (std::size_t i = s.first_point; i < s.end_point; ++i) {
-      const Vec3 away = points_[i] - r.fit.middle;
+      const Vec3 away = points_[corners_.empty() ? i : corners_[i]] - r.fit.middle;
       const double reach = tilt * std::sqrt(glm::dot(away, away));
       if (!(std::fabs(glm::dot(r.fit.normal, away)) <= s.error + r.error + reach)) return false;
     }
@@ -174,6 +175,7 @@ class Welder {
 
   std::span<const PlaneSample> samples_;
   std::span<const Vec3> points_;
+  std::span<const Index> corners_;
   Vec3 reference_{0.0};
   double worst_error_ = 0;
   std::vector<double> distance_;  ///< of the reference point from the plane
@@ -194,9 +196,10 @@ class Welder {
 }  // namespace
 
 WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-                         std::span<const std::pair<Index, Index>> neighbours) {
+                         std::span<const std::pair<Index, Index>> neighbours,
+                         std::span<const Index> corners) {
   if (samples.empty()) return {};
-  return Welder(samples, points).weld(neighbours);
+  return Welder(samples, points, corners).weld(neighbours);
 }
 
 }  // namespace overstrike

@@ -31,9 +31,11 @@ struct WeldedPlanes {
 };
 
 /// Groups samples of one plane, whichever way they face. `points` holds the vertices of all
-/// samples, `neighbours` pairs of samples that share an edge. O(n log n) but for samples whose
+/// samples, one after the other, or where `corners` says so their numbers in it; `neighbours` pairs
+/// of samples that share an edge. O(n log n) but for samples whose
 /// planes pass the reference point at one distance within rounding.
 WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-                         std::span<const std::pair<Index, Index>> neighbours);
+                         std::span<const std::pair<Index, Index>> neighbours,
+                         std::span<const Index> corners = {});
 
 }  // namespace overstrike

@@ -223,15 +223,14 @@ class Assembler {
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};
       face.first_loop = static_cast<Index>(out_.loop_ends.size());
-      PlaneSample sample{{}, error, points_.size(), 0};
+      PlaneSample sample{{}, error, out_.corners.size(), 0};
       PlaneFitter fitter;
       for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
         const std::span<const Index> loop = add_loop(p.loop(l), body.first_vertex, mirrored);
         fitter.add(loop.size(), [&](std::size_t i) { return out_.vertices[loop[i]]; });
-        for (const Index v : loop) points_.push_back(out_.vertices[v]);
       }
       sample.fit = fitter.fit();
-      sample.end_point = points_.size();
+      sample.end_point = out_.corners.size();
       face.end_loop = static_cast<Index>(out_.loop_ends.size());
       face.body = static_cast<Index>(out_.bodies.size());
       face.plane = static_cast<Index>(samples_.size());
@@ -277,7 +276,7 @@ class Assembler {
     for (const WingedEdge& e : out_.edges)
       if (e.right != kNone)
         neighbours.emplace_back(out_.faces[e.left].plane, out_.faces[e.right].plane);
-    const WeldedPlanes welded = weld_planes(samples_, points_, neighbours);
+    const WeldedPlanes welded = weld_planes(samples_, out_.vertices, neighbours, out_.corners);
     // Planes in the order of the faces that lie in them first: who goes over faces in order finds
     // their planes in order.
     std::vector<Index> number(welded.representative.size(), kNone);
@@ -344,7 +343,6 @@ class Assembler {
   std::map<std::pair<const PreparedShape*, bool>, Index> first_twin_;
   bool any_smooth_ = false;
   std::vector<PlaneSample> samples_;  ///< until weld(), a face's plane is the number of its sample
-  std::vector<Vec3> points_;          ///< of the samples
   std::vector<Vec3> normals_;         ///< per face
   Canonical out_;
 };
