@@ -120,7 +120,7 @@ std::optional<DepthPlane> DepthMap::depth(Index number) const {
   // digits of pi'_z, take them exactly.
   constexpr double kDigitsWanted = 1e-13;
   if (error[3] > kDigitsWanted * std::fabs(value[3])) {
-    const std::array<Expansion, 4> sure = exact(number);
+    const ExactPlane sure = exact(number);
     for (int j = 0; j < 4; ++j) {
       value[j] = sure[j].approximate();
       error[j] = 2 * kEps * std::fabs(value[j]);
@@ -140,17 +140,16 @@ std::optional<DepthPlane> DepthMap::depth(Index number) const {
   return d;
 }
 
-std::array<Expansion, 4> DepthMap::exact(Index number) const {
+ExactPlane DepthMap::exact(Index number) const {
   const Vec4 pi = homogeneous(plane(number));
-  std::array<Expansion, 4> result;
+  ExactPlane result;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) result[j] = result[j] + Expansion(pi[i]) * adjugate_[i][j];
   return result;
 }
 
-int DepthMap::compare_exactly(Index f, Index g, double x, double y) const {
-  const std::array<Expansion, 4> p = exact(f), q = exact(g);
-  const auto over = [&](const std::array<Expansion, 4>& e) {
+int compare_exactly(const ExactPlane& p, const ExactPlane& q, double x, double y) {
+  const auto over = [&](const ExactPlane& e) {
     return e[0] * Expansion(x) + e[1] * Expansion(y) + e[2];
   };
   // z_f - z_g = -P/p3 + Q/q3, so its sign is that of (Q p3 - P q3) times those of p3 and q3.
@@ -162,8 +161,7 @@ namespace {
 const std::vector<Plane> kNoFurther;
 }
 
-double DepthMap::crossing_exactly(Index f, Index g, double y) const {
-  const std::array<Expansion, 4> p = exact(f), q = exact(g);
+double crossing_exactly(const ExactPlane& p, const ExactPlane& q, double y) {
   const auto difference = [&](int i) { return q[i] * p[3] - p[i] * q[3]; };
   const Expansion at_zero = difference(1) * Expansion(y) + difference(2);
   return -at_zero.approximate() / difference(0).approximate();
@@ -183,7 +181,7 @@ DepthField::DepthField(const std::vector<Plane>& planes, const View& view)
 int DepthField::compare(Index f, Index g, double x, double y) const {
   if (f == g) return 0;
   const int side = compare_roughly(depths_[f], depths_[g], x, y);
-  return side != 0 ? side : map_.compare_exactly(f, g, x, y);
+  return side != 0 ? side : compare_exactly(map_.exact(f), map_.exact(g), x, y);
 }
 
 }  // namespace overstrike

@@ -21,6 +21,14 @@ struct DepthPlane {
   double at(double x, double y) const { return a * x + b * y + c; }
 };
 
+/// A plane (x, y, w, z) of the grid and its depths, up to a factor, in exact arithmetic.
+using ExactPlane = std::array<Expansion, 4>;
+/// Sign of depth(p) - depth(q) at the point of the grid: 1 when p is nearer.
+int compare_exactly(const ExactPlane& p, const ExactPlane& q, double x, double y);
+/// Where on the level y the two have one depth, to an ulp or two; NaN or infinite when they are
+/// parallel along it.
+double crossing_exactly(const ExactPlane& p, const ExactPlane& q, double y);
+
 /// The depths of planes in one view, each found when asked for.
 class DepthMap {
  public:
@@ -32,11 +40,8 @@ class DepthMap {
   }
   /// nullopt when the plane passes through the eye (exactly): it has no depth.
   std::optional<DepthPlane> depth(Index plane) const;
-  /// Sign of depth(f) - depth(g) at the point of the grid, in exact arithmetic: 1 when f is nearer.
-  int compare_exactly(Index f, Index g, double x, double y) const;
-  /// Where on the level y the two have one depth, to an ulp or two; NaN or infinite when they are
-  /// parallel along it.
-  double crossing_exactly(Index f, Index g, double y) const;
+  /// The plane as the view's matrix takes it.
+  ExactPlane exact(Index plane) const;
   /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
   /// `reach`: widens low..high. False when the plane passes through the eye.
   bool add_range(Index plane, std::span<const Index> corners, std::span<const Vec2> points,
@@ -49,7 +54,6 @@ class DepthMap {
     double value[4], size[4];
   };
   Image image(Index plane) const;
-  std::array<Expansion, 4> exact(Index plane) const;
 
   const std::vector<Plane>& planes_;
   const std::vector<Plane>& further_;

@@ -10,12 +10,25 @@ const DepthPlane& FaceOrder::depth_of(Index face) const {
   return cached.depth;
 }
 
+const ExactPlane& FaceOrder::exact_of(Index plane) const {
+  const auto [at, is_new] = exact_.try_emplace(plane);
+  if (is_new) at->second = table_.depths.exact(plane);
+  return at->second;
+}
+
+void FaceOrder::make_room() const {
+  constexpr std::size_t kMostExact = 4096;
+  if (exact_.size() >= kMostExact) exact_.clear();
+}
+
 int FaceOrder::compare(Index f, Index g, double x, double y) const {
   const Index p = plane_of(f), q = plane_of(g);
   if (p == q) return 0;
   const DepthPlane of_f = depth_of(f);
   const int side = compare_roughly(of_f, depth_of(g), x, y);
-  return side != 0 ? side : table_.depths.compare_exactly(p, q, x, y);
+  if (side != 0) return side;
+  make_room();
+  return compare_exactly(exact_of(p), exact_of(q), x, y);
 }
 
 double FaceOrder::crossing(Index f, Index g, double y) const {
@@ -26,7 +39,8 @@ double FaceOrder::crossing(Index f, Index g, double y) const {
   const double x = -((p.b - q.b) * y + (p.c - q.c)) / slope;
   const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
   if (error <= kGoodEnough * std::fabs(slope)) return x;
-  return table_.depths.crossing_exactly(plane_of(f), plane_of(g), y);
+  make_room();
+  return crossing_exactly(exact_of(plane_of(f)), exact_of(plane_of(g)), y);
 }
 
 bool FaceOrder::in_front(Index f, Index g, double x, double y) const {

@@ -1,6 +1,6 @@
 #pragma once
 // How the seen faces of a FrontTable lie to one another in depth. One a thread.
-#include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "core/visibility/front_table.h"
@@ -30,6 +30,9 @@ class FaceOrder {
 
  private:
   bool wins_tie(Index f, Index g) const;
+  const ExactPlane& exact_of(Index plane) const;
+  /// Before two calls of exact_of().
+  void make_room() const;
 
   /// Depths are found when they are wanted; few faces meet others.
   static constexpr std::size_t kCached = 1024;
@@ -39,6 +42,7 @@ class FaceOrder {
   };
   const FrontTable& table_;
   mutable std::vector<Cached> cache_;
+  mutable std::unordered_map<Index, ExactPlane> exact_;  ///< of planes that doubles did not tell
 };
 
 }  // namespace overstrike

@@ -53,7 +53,7 @@ bool FrontWalker::list_small(const FrontBody& front, double y) {
     const SmallSide& s = *meeting[i];
     meeting[i] = meeting[--count];
     face = s.right;
-    sides_.push_back({s.line.x0, s.line.y0, s.line.slope, face,
+    sides_.push_back({s.line.x0, s.line.y0, s.line.y1, s.line.slope, face,
                       static_cast<float>(front.line_error.of(s.line))});
     if (face == kNone) return true;
   }
@@ -94,6 +94,7 @@ std::span<const FrontSide> FrontWalker::front_at(Index body, double y, const Out
   if (front.turn == turn_ && front.from <= y && y < front.until)
     return {kept_.data() + front.first, front.count};
   front.from = table_.bodies[body].top, front.until = table_.bodies[body].bottom;
+  front.steady = Steady::unknown;
   if (!walk(body, y, outline, front)) {
     front.turn = 0;
     return {};
@@ -115,12 +116,37 @@ void FrontWalker::keep(Front& front) {
   std::copy(sides_.begin(), sides_.end(), kept_.begin() + front.first);
 }
 
+/// Sides move along straight lines: what holds at both ends of the levels holds between. Rounding
+/// of x_at is less than a quarter of the slack, which bounds it together with the errors of points.
+bool FrontWalker::stays_in_order(const Front& front) const {
+  for (Index i = front.first; i < front.first + front.count; ++i) {
+    const FrontSide& s = kept_[i];
+    if (!(s.slack < kMostSlack)) return false;  // it bounds nothing
+    if (i == front.first) continue;
+    const FrontSide& before = kept_[i - 1];
+    const double most = (before.slack + s.slack) / 4;
+    for (const double y : {front.from, front.until})
+      if (!(before.x_at(y) - s.x_at(y) <= most)) return false;
+  }
+  return true;
+}
+
+std::optional<FrontWalker::SteadyFront> FrontWalker::steady_front(Index body) {
+  Front& front = fronts_[body];
+  if (table_.bodies[body].small || front.turn != turn_) return {};
+  if (front.steady == Steady::unknown)
+    front.steady = stays_in_order(front) ? Steady::yes : Steady::no;
+  if (front.steady == Steady::no) return {};
+  return SteadyFront{{kept_.data() + front.first, front.count}, front.from, front.until};
+}
+
 void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) {
   const Vec2 &p = table_.points[a], &q = table_.points[b];
   const LevelLine line = p.y < q.y ? LevelLine(p, q) : LevelLine(q, p);
   front.from = std::max(front.from, line.y0);
   front.until = std::min(front.until, line.y1);
-  sides_.push_back({line.x0, line.y0, line.slope, face, static_cast<float>(error.of(line))});
+  sides_.push_back(
+      {line.x0, line.y0, line.y1, line.slope, face, static_cast<float>(error.of(line))});
 }
 
 /// The corner where the side begins by which the level leaves the face; kNone when it meets more
@@ -168,7 +194,7 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
     from = std::max(from, top.y), until = std::min(until, bottom.y);
     const double slope = (bottom.x - top.x) / (bottom.y - top.y);
     const double slack = std::min(error.constant + error.per_slope * std::fabs(slope), kMostSlack);
-    sides_.push_back({top.x, top.y, slope, face, static_cast<float>(slack)});
+    sides_.push_back({top.x, top.y, bottom.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {
     add(side.face);

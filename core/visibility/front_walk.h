@@ -1,5 +1,6 @@
 #pragma once
 // The front of one body on a level, found by walking from face to face (NN74, scan).
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace overstrike {
 
 /// A side that a level meets, and the seen face on its right (kNone: none, the front ends).
 struct FrontSide {
-  double x0, y0, slope;
+  double x0, y0, y1;  ///< met by the levels y0 <= y < y1
+  double slope;
   Index face;
   float slack;  ///< bound on the error of x_at
 
@@ -37,11 +39,21 @@ class FrontWalker {
   /// Precondition: outline_at() found one. Valid until the next call.
   std::span<const FrontSide> front_at(Index body, double y, const Outline& outline);
 
+  /// A front whose sides stay in order, but for their slack, at the levels from <= y < until.
+  struct SteadyFront {
+    std::span<const FrontSide> sides;
+    double from, until;
+  };
+  /// What front_at() found last for the body, if it is kept and steady. Valid as that is.
+  std::optional<SteadyFront> steady_front(Index body);
+
  private:
+  enum class Steady : std::uint8_t { unknown, no, yes };
   struct Front {
     double from = 0, until = 0;
     Index first = 0, count = 0, room = 0;  ///< in kept_
     Index turn = 0;                        ///< when not turn_, nothing is kept
+    Steady steady = Steady::unknown;
   };
   struct Cursor {
     Index left = 0, right = 0;
@@ -52,6 +64,7 @@ class FrontWalker {
   bool walk_triangles(const CanonicalBody& body, const LineError& error, double y,
                       const Outline& outline, Front& front);
   void keep(Front& front);
+  bool stays_in_order(const Front& front) const;
   void add(const LineError& error, Index a, Index b, Index face, Front& front);
   Index exit_of(Index face, Index entry, double y) const;
   void seek(Index& cursor, Index first, Index end, double y) const;

@@ -1,12 +1,9 @@
 #include "core/visibility/row_sweep.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace overstrike {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Neighbours of one face become one piece.
 void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
@@ -20,235 +17,127 @@ void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
 
 }  // namespace
 
-SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads)
-    : fronts(canonical, view, FrontUse::picture, threads),
-      loose(fronts),
-      bodies(fronts.rows, fronts.bodies.size(), [&](std::size_t i) {
-        const FrontBody& body = fronts.bodies[i];
-        return body.seen && !body.loose ? std::pair(body.top, body.bottom) : std::pair(1.0, 0.0);
-      }) {}
-
 RowSweep::RowSweep(const SweepTable& table)
-    : table_(table), faces_(table.fronts), walker_(table.fronts) {}
+    : table_(table),
+      faces_(table.fronts),
+      walker_(table.fronts),
+      planner_(table, faces_, walker_),
+      keeper_(faces_, table.fronts.columns) {}
 
 void RowSweep::resolve(double y, std::vector<SpanPiece>& pieces) {
   not_walkable_.clear();
-  if (!plan_holds(y)) make_plan(y);
+  step_ = y - last_y_, last_y_ = y;
+  credit_ = std::min(credit_ + 1, kMostCredit);
+  if (!plan_.holds(y, event_x_)) make_plan(y);
   // Again when a front turns out not to be walkable: the body is taken by its edges then.
   for (const std::size_t before = pieces.size(); !follow_plan(y, pieces); pieces.resize(before))
     make_plan(y);
 }
 
-bool RowSweep::plan_holds(double y) {
-  if (!(from_ <= y && y < until_)) return false;
-  double before = -kInfinity;
-  bool holds = true;
-  for (std::size_t i = 0; i < events_.size(); ++i) {
-    const double x = events_[i].x_at(y);
-    event_x_[i] = x;
-    holds = holds && (events_[i].same ? x == before : x > before);
-    before = x;
-  }
-  return holds;
-}
-
 void RowSweep::make_plan(double y) {
-  collect(y);
-  lay_out();
-}
-
-void RowSweep::collect(double y) {
-  items_.clear(), sides_.clear(), ends_.clear();
-  const std::size_t band = table_.bodies.band(y);
-  const auto [loose_from, loose_until] = table_.loose.levels_near(y);
-  from_ = std::max(table_.bodies.low(band), loose_from);
-  until_ = std::min(table_.bodies.high(band), loose_until);
-  const ItemEnd edge{0, kNone, false, {0, 0, 0, 0, false}};
-  ends_.push_back(edge);
-  ends_.push_back(edge);
-  ends_.back().x = ends_.back().event.x0 = table_.fronts.columns;
-  meeting_bodies_.clear();
-  for (const LevelBands::Item& item : table_.bodies[band]) {
-    if (item.meets(y)) {
-      meeting_bodies_.push_back(item.number);
-    } else if (y < item.low) {
-      until_ = std::min(until_, item.low);
-    } else {
-      from_ = std::max(from_, item.high);
-    }
-  }
-  for (std::size_t i = 0; i < meeting_bodies_.size(); ++i) {
-    fetch_ahead(i);
-    collect_front(meeting_bodies_[i], y);
-  }
-  const std::span<const LevelBands::Item> edges = table_.loose.near(y);
-  for (std::size_t i = 0; i < edges.size();) {
-    if (!loose_) loose_.emplace(table_.fronts, faces_);
-    const Index body = table_.loose[edges[i].number].body;
-    for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
-      if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
-    const std::size_t first = sides_.size();
-    loose_->resolve(y, sides_);
-    add_stretches(body, first);
-    until_ = from_;
-  }
-}
-
-/// Small bodies lie all over the memory: what the next ones need is on its way while this one is
-/// looked at.
-void RowSweep::fetch_ahead(std::size_t at) const {
-  constexpr std::size_t kFar = 12, kNear = 6;
-  const FrontTable& fronts = table_.fronts;
-  if (at + kFar < meeting_bodies_.size()) {
-    const FrontBody& far = fronts.bodies[meeting_bodies_[at + kFar]];
-    __builtin_prefetch(&far);
-    __builtin_prefetch(&far.low);
-  }
-  if (at + kNear >= meeting_bodies_.size()) return;
-  const FrontBody& near = fronts.bodies[meeting_bodies_[at + kNear]];
-  if (!near.small) return;
-  const char* const sides =
-      reinterpret_cast<const char*>(fronts.small_sides.data() + near.first_left);
-  const std::size_t size = (near.end_left - near.first_left) * sizeof(SmallSide);
-  for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(sides + line);
-}
-
-void RowSweep::collect_front(Index body, double y) {
-  const FrontBody& front = table_.fronts.bodies[body];
-  const Outline outline = walker_.outline_at(body, y);
-  if (outline.kind == Outline::Kind::none) {
-    until_ = from_;
-    return;
-  }
-  const bool known =
-      outline.kind == Outline::Kind::one &&
-      std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
-  if (!known) return collect_loose(body, y);
-  const LevelLine &left = *outline.left, &right = *outline.right;
-  from_ = std::max({from_, left.y0, right.y0});
-  until_ = std::min({until_, left.y1, right.y1});
-  if (front.broken) until_ = from_;
-  const double x0 = left.x_at(y), x1 = right.x_at(y);
-  if (!(x0 < x1)) {
-    until_ = from_;
-    // More than rounding: an outline that crosses itself.
-    const double slack = front.line_error.of(left) + front.line_error.of(right);
-    if (x0 - x1 > slack) collect_loose(body, y);
-    return;
-  }
-  const Index item = static_cast<Index>(items_.size());
-  items_.push_back({body, outline, kNone, kNone, kNone});
-  const auto end = [&](const LevelLine& line, double x, bool begins) {
-    const float slack = static_cast<float>(front.line_error.of(line));
-    return ItemEnd{x, item, begins, {line.x0, line.y0, line.slope, slack, false}};
-  };
-  ends_.push_back(end(left, x0, true));
-  ends_.push_back(end(right, x1, false));
-}
-
-void RowSweep::collect_loose(Index number, double y) {
-  if (!loose_) loose_.emplace(table_.fronts, faces_);
-  const CanonicalBody& body = table_.fronts.canonical.bodies[number];
-  LooseEdge edge;
-  for (Index e = body.first_edge; e < body.end_edge; ++e)
-    if (to_loose_edge(table_.fronts, table_.fronts.canonical.edges[e], number, edge))
-      loose_->add(edge, y);
-  const std::size_t first = sides_.size();
-  loose_->resolve(y, sides_);
-  add_stretches(number, first);
-  until_ = from_;
-}
-
-void RowSweep::add_stretches(Index body, std::size_t first) {
-  for (std::size_t end = first; end < sides_.size(); ++end) {
-    if (sides_[end].face != kNone) continue;
-    const RowSide &left = sides_[first], &right = sides_[end];
-    if (left.x < right.x) {
-      const Index item = static_cast<Index>(items_.size());
-      items_.push_back({body,
-                        {},
-                        static_cast<Index>(first),
-                        static_cast<Index>(end + 1),
-                        static_cast<Index>(first)});
-      ends_.push_back({left.x, item, true, {left.x, 0, 0, left.slack, false}});
-      ends_.push_back({right.x, item, false, {right.x, 0, 0, right.slack, false}});
-    }
-    first = end + 1;
-  }
-}
-
-/// Goes over the ends from left to right and notes, between each two that differ, what is seen.
-void RowSweep::lay_out() {
-  by_x_.clear();
-  for (std::size_t i = 0; i < ends_.size(); ++i)
-    by_x_.push_back({ends_[i].x, static_cast<Index>(i)});
-  std::sort(by_x_.begin(), by_x_.end());
-  events_.clear(), event_x_.clear(), segments_.clear(), contenders_.clear(), active_.clear();
-  bool chosen = false, inside = false;
-  Index first_contender = 0;
-  for (std::size_t i = 0; i < by_x_.size(); ++i) {
-    const ItemEnd& end = ends_[by_x_[i].second];
-    const Index event = static_cast<Index>(i);
-    events_.push_back(end.event);
-    events_.back().same = i > 0 && by_x_[i - 1].first == end.x;
-    event_x_.push_back(end.x);
-    if (end.item == kNone) {
-      inside = !inside;
-    } else if (end.begins) {
-      active_.push_back(end.item);
-      chosen = chosen && order(contenders_[first_contender], end.item) > 0;
-    } else {
-      std::erase(active_, end.item);
-      chosen = chosen && std::find(contenders_.begin() + first_contender, contenders_.end(),
-                                   end.item) == contenders_.end();
-    }
-    if (i + 1 == by_x_.size() || by_x_[i + 1].first == end.x || !inside || active_.empty())
-      continue;
-    if (!chosen) first_contender = static_cast<Index>(contenders_.size()), choose();
-    chosen = true;
-    segments_.push_back(
-        {event, event + 1, first_contender, static_cast<Index>(contenders_.size())});
-  }
-}
-
-/// Appends the winner, before which no other surely lies, and what may meet it.
-void RowSweep::choose() {
-  Index winner = active_.front();
-  for (std::size_t turns = 0; turns < active_.size(); ++turns) {
-    const Index before = winner;
-    for (const Index i : active_)
-      if (i != winner && order(i, winner) > 0) winner = i;
-    if (winner == before) break;
-  }
-  contenders_.push_back(winner);
-  for (const Index i : active_)
-    if (i != winner && order(winner, i) <= 0) contenders_.push_back(i);
+  std::swap(plan_, last_plan_);
+  planner_.make(y, not_walkable_, plan_, sides_, event_x_);
+  plan_.take_kept(last_plan_, y, event_x_);
+  fronts_from_ = -HUGE_VAL, fronts_until_ = plan_.kept_until > y ? -HUGE_VAL : HUGE_VAL;
 }
 
 bool RowSweep::follow_plan(double y, std::vector<SpanPiece>& pieces) {
-  if (from_ < until_) {
+  if (plan_.lasts()) {
     sides_.clear();
-    for (Item& item : items_) item.first = kNone;
+    for (RowPlan::Item& item : plan_.items) item.first = kNone;
   }
-  for (const Segment& s : segments_) {
-    const Interval over{event_x_[s.from], event_x_[s.to], events_[s.from].slack,
-                        events_[s.to].slack};
-    const std::span contenders(contenders_.data() + s.first_contender,
-                               contenders_.data() + s.end_contender);
+  if (y < plan_.kept_until && !(fronts_from_ <= y && y < fronts_until_) && !look_at_fronts(y))
+    return false;
+  for (RowPlan::Segment& s : plan_.segments) {
+    const Interval over{event_x_[s.from], event_x_[s.to], plan_.events[s.from].line.slack,
+                        plan_.events[s.to].line.slack};
+    if (s.is_kept(y)) {
+      show_kept(s, y, over, pieces);
+      credit_ = std::min(credit_ + 1, kMostCredit);
+      continue;
+    }
+    const std::span contenders = plan_.contenders_of(s);
     for (const Index i : contenders)
-      if (items_[i].first == kNone && !walk(items_[i], y)) return false;
+      if (plan_.items[i].first == kNone && !walk(plan_.items[i], y)) return false;
     if (contenders.size() == 1) {
-      show(items_[contenders[0]], over, pieces);
+      show(plan_.items[contenders[0]], over, pieces);
     } else {
       merge(y, contenders, over, pieces);
     }
+    if (credit_ > 0 && y >= s.try_at && step_ > 0) keep(s, y);
   }
   return true;
 }
 
+/// What is kept may be used while the fronts of all contenders can be walked and their sides stay
+/// in order. False when one cannot be walked.
+bool RowSweep::look_at_fronts(double y) {
+  fronts_from_ = -HUGE_VAL, fronts_until_ = HUGE_VAL;
+  for (const RowPlan::Segment& s : plan_.segments) {
+    if (!s.is_kept(y)) continue;
+    for (const Index i : plan_.contenders_of(s))
+      if (!look_at_front(plan_.items[i], y)) return false;
+  }
+  return true;
+}
+
+bool RowSweep::look_at_front(RowPlan::Item& item, double y) {
+  std::optional front = walker_.steady_front(item.body);
+  if (!front || !(front->from <= y && y < front->until)) {
+    if (item.first == kNone && !walk(item, y)) return false;
+    front = walker_.steady_front(item.body);
+  }
+  if (front) {
+    fronts_from_ = std::max(fronts_from_, front->from);
+    fronts_until_ = std::min(fronts_until_, front->until);
+  } else {
+    plan_.forget_kept();
+  }
+  return true;
+}
+
+/// Worth while when it lasts, which is learned: what was kept and shown pays for further trials.
+void RowSweep::keep(RowPlan::Segment& segment, double y) {
+  constexpr double kLeastLevels = 4;
+  constexpr std::size_t kMostKept = std::size_t{1} << 12;
+  const double least = y + kLeastLevels * step_;
+  segment.try_at = least;
+  const SlackLine &left = plan_.events[segment.from].line, &right = plan_.events[segment.to].line;
+  if (std::min(left.y1, right.y1) < least) return;
+  credit_ -= kPriceOfTrial;
+  steady_.clear();
+  for (const Index i : plan_.contenders_of(segment)) {
+    const std::optional front = walker_.steady_front(plan_.items[i].body);
+    if (!front) return;
+    steady_.push_back(front->sides);
+    fronts_from_ = std::max(fronts_from_, front->from);
+    fronts_until_ = std::min(fronts_until_, front->until);
+  }
+  if (kept_.size() > kMostKept) kept_.clear(), plan_.forget_kept();
+  segment.first_kept = static_cast<Index>(kept_.size());
+  segment.kept_until = keeper_.keep(y, least, left, right, steady_, kept_);
+  segment.kept_from = y;
+  segment.end_kept = static_cast<Index>(kept_.size());
+  plan_.kept_until = std::max(plan_.kept_until, segment.kept_until);
+}
+
+void RowSweep::show_kept(const RowPlan::RowPlan::Segment& segment, double y, const Interval& over,
+                         std::vector<SpanPiece>& pieces) const {
+  double x = over.x0;
+  float slack = over.slack0;
+  for (Index i = segment.first_kept; i < segment.end_kept; ++i) {
+    const KeptPiece& k = kept_[i];
+    const bool crosses = k.next != kNone;
+    const double end = crosses ? faces_.crossing(k.face, k.next, y) : k.end.x_at(y);
+    const float end_slack = crosses ? 0 : k.end.slack;
+    append(pieces, {x, end, k.face, slack, end_slack});
+    x = end, slack = end_slack;
+  }
+}
+
 /// Sides that rounding has put out of order are put where their neighbour is; more than that is a
 /// face that is inside out, which its body's edges must tell about.
-bool RowSweep::walk(Item& item, double y) {
+bool RowSweep::walk(RowPlan::Item& item, double y) {
   const std::span<const FrontSide> front = walker_.front_at(item.body, y, item.outline);
   if (front.empty()) {
     not_walkable_.push_back(item.body);
@@ -275,7 +164,7 @@ bool RowSweep::walk(Item& item, double y) {
   return true;
 }
 
-void RowSweep::show(Item& item, const Interval& over, std::vector<SpanPiece>& pieces) {
+void RowSweep::show(RowPlan::Item& item, const Interval& over, std::vector<SpanPiece>& pieces) {
   Index at = item.at;
   while (at + 2 < item.end && sides_[at + 1].x <= over.x0) ++at;
   double x = over.x0;
@@ -309,7 +198,7 @@ void RowSweep::merge(double y, std::span<const Index> contenders, const Interval
                      std::vector<SpanPiece>& pieces) {
   meeting_.clear();
   for (const Index i : contenders) {
-    Item& item = items_[i];
+    RowPlan::Item& item = plan_.items[i];
     while (item.at + 2 < item.end && sides_[item.at + 1].x <= over.x0) ++item.at;
     meeting_.push_back({i, item.at, item.end});
     meeting_.back().look(sides_.data(), faces_, y);
@@ -340,7 +229,7 @@ void RowSweep::merge(double y, std::span<const Index> contenders, const Interval
       if (c.at != before) c.look(sides_.data(), faces_, y);
     }
   }
-  for (const Contender& c : meeting_) items_[c.item].at = c.at;
+  for (const Contender& c : meeting_) plan_.items[c.item].at = c.at;
 }
 
 /// The contender that is nearest at x, where doubles can tell; else null.

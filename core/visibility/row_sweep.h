@@ -1,32 +1,16 @@
 #pragma once
-// The second level: which body's front is seen where, along one level.
+// The second level: what is seen along one level.
 //
-// Fronts enter and leave from left to right. Between two such events the bodies present are the
-// same; one that lies surely before all others (body_order.h) is seen as it is, side after side,
-// and what lies behind is never walked. Only fronts that may meet are compared face by face.
-//
-// Which bodies are seen first between which events is a plan that is kept for the next levels: it
-// follows from the events' order and from nothing else of the level, so that a level at which the
-// same sides meet it in the same order has the same plan.
+// A plan (row_plan.h) says which bodies' fronts are seen first between which events, and what may
+// meet them. One that lies surely before all others is seen as it is, side after side, and what
+// lies behind is never walked. Only fronts that may meet are compared face by face. What a stretch
+// shows is kept for the levels at which it is surely the same (kept_stretch.h).
 #include <vector>
 
-#include "core/visibility/body_order.h"
-#include "core/visibility/face_order.h"
-#include "core/visibility/front_walk.h"
-#include "core/visibility/level_bands.h"
-#include "core/visibility/loose_edges.h"
+#include "core/visibility/row_plan.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
-
-/// What all sweeps of a picture share.
-struct SweepTable {
-  SweepTable(const Canonical& canonical, const View& view, int threads);
-
-  FrontTable fronts;
-  LooseEdges loose;
-  LevelBands bodies;  ///< that have a front, the ground too
-};
 
 /// One a thread.
 class RowSweep {
@@ -37,31 +21,6 @@ class RowSweep {
   void resolve(double y, std::vector<SpanPiece>& pieces);
 
  private:
-  /// A connected stretch of one body's front.
-  struct Item {
-    Index body;
-    Outline outline;   ///< of a front that is walked
-    Index first, end;  ///< in sides_; first == kNone: not walked on this level yet
-    Index at;          ///< the side that the sweep has reached
-  };
-  /// Where something may change: a line, and whether it meets the level where the one before does.
-  struct Event {
-    double x0, y0, slope;
-    float slack;
-    bool same;
-    double x_at(double y) const { return x0 + (y - y0) * slope; }
-  };
-  struct ItemEnd {
-    double x;
-    Index item;  ///< kNone: an end of the level itself
-    bool begins;
-    Event event;
-  };
-  /// From one event to another: what is seen there first, and what may meet it.
-  struct Segment {
-    Index from, to;                        ///< in events_
-    Index first_contender, end_contender;  ///< in contenders_
-  };
   /// One of the fronts that may meet: the side that is reached, and the depth of its face on the
   /// level, linear in x.
   struct Contender {
@@ -77,45 +36,36 @@ class RowSweep {
     double x0, x1;
     float slack0, slack1;
   };
-  bool plan_holds(double y);
   void make_plan(double y);
-  void collect(double y);
-  void fetch_ahead(std::size_t at) const;
-  void collect_front(Index body, double y);
-  void collect_loose(Index body, double y);
-  void add_stretches(Index body, std::size_t first);
-  void lay_out();
-  void choose();
-  int order(Index a, Index b) const {
-    return order_of(table_.fronts.bodies[items_[a].body], table_.fronts.bodies[items_[b].body],
-                    table_.fronts.view.eye);
-  }
   bool follow_plan(double y, std::vector<SpanPiece>& pieces);
-  bool walk(Item& item, double y);
-  void show(Item& item, const Interval& over, std::vector<SpanPiece>& pieces);
+  bool look_at_fronts(double y);
+  void keep(RowPlan::Segment& segment, double y);
+  bool look_at_front(RowPlan::Item& item, double y);
+  void show_kept(const RowPlan::Segment& segment, double y, const Interval& over,
+                 std::vector<SpanPiece>& pieces) const;
+  bool walk(RowPlan::Item& item, double y);
+  void show(RowPlan::Item& item, const Interval& over, std::vector<SpanPiece>& pieces);
   void merge(double y, std::span<const Index> contenders, const Interval& over,
              std::vector<SpanPiece>& pieces);
   const Contender* surely_nearest(double x) const;
   void compare(double y, const Interval& over, std::vector<SpanPiece>& pieces);
 
+  static constexpr int kMostCredit = 256, kPriceOfTrial = 6;
   const SweepTable& table_;
   FaceOrder faces_;
   FrontWalker walker_;
-  std::optional<LooseResolver> loose_;
-  // The plan: what is seen first between which events, for the levels from <= y < until as long as
-  // the events keep their order.
-  double from_ = 0, until_ = 0;
-  std::vector<Item> items_;
-  std::vector<Event> events_;
-  std::vector<Segment> segments_;
-  std::vector<Index> contenders_;
-  // Of making a plan.
-  std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked on this level
-  std::vector<Index> meeting_bodies_;
-  std::vector<ItemEnd> ends_;
-  std::vector<std::pair<double, Index>> by_x_;  ///< of ends_
-  std::vector<Index> active_;
+  RowPlanner planner_;
+  StretchKeeper keeper_;
+  RowPlan plan_, last_plan_;
+  // Levels that were resolved before, and what is kept of them.
+  double last_y_ = HUGE_VAL;                        ///< the level before
+  double step_ = 0;                                 ///< from that to the one in hand
+  double fronts_from_ = 0, fronts_until_ = 0;       ///< levels of the contenders' fronts
+  int credit_ = kMostCredit;                        ///< for trials to keep something
+  std::vector<KeptPiece> kept_;                     ///< of the plan's segments
+  std::vector<std::span<const FrontSide>> steady_;  ///< of the segment that is being kept
   // Of one level.
+  std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked
   std::vector<double> event_x_;
   std::vector<RowSide> sides_;
   std::vector<Contender> meeting_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 namespace overstrike {
 namespace {
@@ -10,11 +12,28 @@ using Key = std::array<double, 4>;
 
 Key key(const Plane& p) { return {p.normal.x, p.normal.y, p.normal.z, p.offset}; }
 
-std::vector<std::array<double, 3>> sorted_vertices(const Canonical& c, Index face) {
-  std::vector<std::array<double, 3>> result;
-  for (Index l = c.faces[face].first_loop; l < c.faces[face].end_loop; ++l)
-    for (const Index v : c.loop(l))
-      result.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
+std::span<const Index> corners_of(const Canonical& c, const CanonicalFace& face) {
+  const Index first = c.first_corner(face.first_loop), end = c.loop_ends[face.end_loop - 1];
+  return {c.corners.data() + first, c.corners.data() + end};
+}
+
+using Point = std::array<double, 3>;
+
+Point point(const Canonical& c, Index vertex) {
+  const Vec3& p = c.vertices[vertex];
+  return {p.x, p.y, p.z};
+}
+
+Point least_vertex(const Canonical& c, const CanonicalFace& face) {
+  const std::span<const Index> corners = corners_of(c, face);
+  Point least = point(c, corners[0]);
+  for (const Index v : corners.subspan(1)) least = std::min(least, point(c, v));
+  return least;
+}
+
+std::vector<Point> sorted_vertices(const Canonical& c, const CanonicalFace& face) {
+  std::vector<Point> result;
+  for (const Index v : corners_of(c, face)) result.push_back(point(c, v));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -24,7 +43,9 @@ std::vector<std::array<double, 3>> sorted_vertices(const Canonical& c, Index fac
 bool precedes(const Canonical& c, Index f, Index g) {
   const Key a = key(c.planes[c.faces[f].plane]), b = key(c.planes[c.faces[g].plane]);
   if (a != b) return a < b;
-  const auto va = sorted_vertices(c, f), vb = sorted_vertices(c, g);
+  const Point least_a = least_vertex(c, c.faces[f]), least_b = least_vertex(c, c.faces[g]);
+  if (least_a != least_b) return least_a < least_b;
+  const auto va = sorted_vertices(c, c.faces[f]), vb = sorted_vertices(c, c.faces[g]);
   return va != vb ? va < vb : f < g;
 }
 

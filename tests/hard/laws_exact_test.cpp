@@ -51,11 +51,24 @@ TEST(Law, JumpingToALineIsSteppingToIt) {
       const std::string what = first_difference({rows[i]}, alone);
       if (!what.empty()) return "row " + std::to_string(i) + " alone: " + what;
     }
-    // Its first line is y = 0.
-    const Runs quarters = runs_of(drawing, {0, 0.25, 0.5});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::string what = first_difference({rows[i]}, {quarters.at(4 * i + 2)});
-      if (!what.empty()) return "row " + std::to_string(i) + " among others: " + what;
+    return std::string();
+  });
+}
+
+/// What is kept from line to line where lines are close (kept_stretch.h) is what lines far apart
+/// find anew.
+TEST(Law, LinesAmongCloseLinesAreLinesAmongFarOnes) {
+  constexpr int kFine = 32;
+  expect_law(all(), "close lines", [](const Scene& scene) {
+    Drawing drawing = drawn(scene);
+    const Runs close = runs_of(drawing, {0, 1.0 / kFine, 0});
+    for (const std::size_t at : {3, 16, 29}) {
+      const Runs far = runs_of(drawing, {0, 1, static_cast<double>(at) / kFine});
+      for (std::size_t i = 0; i < far.size(); ++i) {
+        const std::string what = first_difference({far[i]}, {close.at(kFine * i + at)});
+        if (!what.empty())
+          return "line " + std::to_string(i) + " + " + std::to_string(at) + "/32: " + what;
+      }
     }
     return std::string();
   });

@@ -1,0 +1,245 @@
+#include "core/visibility/row_plan.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace overstrike {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads)
+    : fronts(canonical, view, FrontUse::picture, threads),
+      loose(fronts),
+      bodies(fronts.rows, fronts.bodies.size(), [&](std::size_t i) {
+        const FrontBody& body = fronts.bodies[i];
+        return body.seen && !body.loose ? std::pair(body.top, body.bottom) : std::pair(1.0, 0.0);
+      }) {}
+
+bool RowPlan::holds(double y, std::vector<double>& event_x) const {
+  if (!(from <= y && y < until)) return false;
+  double before = -kInfinity;
+  bool same_order = true;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const double x = events[i].line.x_at(y);
+    event_x[i] = x;
+    same_order = same_order && (events[i].same ? x == before : x > before);
+    before = x;
+  }
+  return same_order;
+}
+
+bool RowPlan::same_stretch(const Segment& mine, const RowPlan& before, const Segment& old) const {
+  if (events[mine.from].line != before.events[old.from].line ||
+      events[mine.to].line != before.events[old.to].line)
+    return false;
+  const std::span now = contenders_of(mine), then = before.contenders_of(old);
+  return std::equal(now.begin(), now.end(), then.begin(), then.end(),
+                    [&](Index i, Index j) { return items[i].body == before.items[j].body; });
+}
+
+void RowPlan::take_kept(const RowPlan& before, double y, const std::vector<double>& event_x) {
+  if (!(y < before.kept_until)) return;
+  const auto left_of = [&](const Segment& s, double x) { return event_x[s.from] < x; };
+  auto mine = segments.begin();
+  for (const Segment& old : before.segments) {
+    if (!old.is_kept(y)) continue;
+    const double x = before.events[old.from].line.x_at(y);
+    mine = std::lower_bound(mine, segments.end(), x, left_of);
+    if (mine == segments.end()) return;
+    if (!same_stretch(*mine, before, old)) continue;
+    mine->kept_from = old.kept_from, mine->kept_until = old.kept_until;
+    mine->first_kept = old.first_kept, mine->end_kept = old.end_kept;
+    kept_until = std::max(kept_until, old.kept_until);
+  }
+}
+
+void RowPlan::forget_kept() {
+  for (Segment& s : segments) s.kept_until = s.kept_from;
+  kept_until = -HUGE_VAL;
+}
+
+int RowPlanner::order(Index a, Index b) const {
+  return order_of(table_.fronts.bodies[plan_->items[a].body],
+                  table_.fronts.bodies[plan_->items[b].body], table_.fronts.view.eye);
+}
+
+void RowPlanner::make(double y, std::span<const Index> not_walkable, RowPlan& plan,
+                      std::vector<RowSide>& sides, std::vector<double>& event_x) {
+  plan_ = &plan, not_walkable_ = not_walkable, sides_ = &sides;
+  collect(y);
+  lay_out(event_x);
+}
+
+void RowPlanner::collect(double y) {
+  plan_->items.clear(), sides_->clear(), ends_.clear();
+  const std::size_t band = table_.bodies.band(y);
+  const auto [loose_from, loose_until] = table_.loose.levels_near(y);
+  plan_->from = std::max(table_.bodies.low(band), loose_from);
+  plan_->until = std::min(table_.bodies.high(band), loose_until);
+  const ItemEnd edge{0, kNone, false, {0, 0, kInfinity, 0, 0}};
+  ends_.push_back(edge);
+  ends_.push_back(edge);
+  ends_.back().x = ends_.back().line.x0 = table_.fronts.columns;
+  meeting_bodies_.clear();
+  for (const LevelBands::Item& item : table_.bodies[band]) {
+    if (item.meets(y)) {
+      meeting_bodies_.push_back(item.number);
+    } else if (y < item.low) {
+      plan_->until = std::min(plan_->until, item.low);
+    } else {
+      plan_->from = std::max(plan_->from, item.high);
+    }
+  }
+  for (std::size_t i = 0; i < meeting_bodies_.size(); ++i) {
+    fetch_ahead(i);
+    collect_front(meeting_bodies_[i], y);
+  }
+  const std::span<const LevelBands::Item> edges = table_.loose.near(y);
+  for (std::size_t i = 0; i < edges.size();) {
+    if (!loose_) loose_.emplace(table_.fronts, faces_);
+    const Index body = table_.loose[edges[i].number].body;
+    for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
+      if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
+    const std::size_t first = sides_->size();
+    loose_->resolve(y, *sides_);
+    add_stretches(body, first);
+    plan_->until = plan_->from;
+  }
+}
+
+/// Small bodies lie all over the memory: what the next ones need is on its way while this one is
+/// looked at.
+void RowPlanner::fetch_ahead(std::size_t at) const {
+  constexpr std::size_t kFar = 12, kNear = 6;
+  const FrontTable& fronts = table_.fronts;
+  if (at + kFar < meeting_bodies_.size()) {
+    const FrontBody& far = fronts.bodies[meeting_bodies_[at + kFar]];
+    __builtin_prefetch(&far);
+    __builtin_prefetch(&far.low);
+  }
+  if (at + kNear >= meeting_bodies_.size()) return;
+  const FrontBody& near = fronts.bodies[meeting_bodies_[at + kNear]];
+  if (!near.small) return;
+  const char* const sides =
+      reinterpret_cast<const char*>(fronts.small_sides.data() + near.first_left);
+  const std::size_t size = (near.end_left - near.first_left) * sizeof(SmallSide);
+  for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(sides + line);
+}
+
+void RowPlanner::collect_front(Index body, double y) {
+  const FrontBody& front = table_.fronts.bodies[body];
+  const Outline outline = walker_.outline_at(body, y);
+  if (outline.kind == Outline::Kind::none) {
+    plan_->until = plan_->from;
+    return;
+  }
+  const bool known =
+      outline.kind == Outline::Kind::one &&
+      std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
+  if (!known) return collect_loose(body, y);
+  const LevelLine &left = *outline.left, &right = *outline.right;
+  plan_->from = std::max({plan_->from, left.y0, right.y0});
+  plan_->until = std::min({plan_->until, left.y1, right.y1});
+  if (front.broken) plan_->until = plan_->from;
+  const double x0 = left.x_at(y), x1 = right.x_at(y);
+  if (!(x0 < x1)) {
+    plan_->until = plan_->from;
+    // More than rounding: an outline that crosses itself.
+    const double slack = front.line_error.of(left) + front.line_error.of(right);
+    if (x0 - x1 > slack) collect_loose(body, y);
+    return;
+  }
+  const Index item = static_cast<Index>(plan_->items.size());
+  plan_->items.push_back({body, outline, kNone, kNone, kNone});
+  const auto end = [&](const LevelLine& line, double x, bool begins) {
+    const float slack = static_cast<float>(front.line_error.of(line));
+    return ItemEnd{x, item, begins, {line.x0, line.y0, line.y1, line.slope, slack}};
+  };
+  ends_.push_back(end(left, x0, true));
+  ends_.push_back(end(right, x1, false));
+}
+
+void RowPlanner::collect_loose(Index number, double y) {
+  if (!loose_) loose_.emplace(table_.fronts, faces_);
+  const CanonicalBody& body = table_.fronts.canonical.bodies[number];
+  LooseEdge edge;
+  for (Index e = body.first_edge; e < body.end_edge; ++e)
+    if (to_loose_edge(table_.fronts, table_.fronts.canonical.edges[e], number, edge))
+      loose_->add(edge, y);
+  const std::size_t first = sides_->size();
+  loose_->resolve(y, *sides_);
+  add_stretches(number, first);
+  plan_->until = plan_->from;
+}
+
+void RowPlanner::add_stretches(Index body, std::size_t first) {
+  for (std::size_t end = first; end < sides_->size(); ++end) {
+    if ((*sides_)[end].face != kNone) continue;
+    const RowSide &left = (*sides_)[first], &right = (*sides_)[end];
+    if (left.x < right.x) {
+      const Index item = static_cast<Index>(plan_->items.size());
+      plan_->items.push_back({body,
+                              {},
+                              static_cast<Index>(first),
+                              static_cast<Index>(end + 1),
+                              static_cast<Index>(first)});
+      ends_.push_back({left.x, item, true, {left.x, 0, -kInfinity, 0, left.slack}});
+      ends_.push_back({right.x, item, false, {right.x, 0, -kInfinity, 0, right.slack}});
+    }
+    first = end + 1;
+  }
+}
+
+/// Goes over the ends from left to right and notes, between each two that differ, what is seen.
+void RowPlanner::lay_out(std::vector<double>& event_x) {
+  by_x_.clear();
+  for (std::size_t i = 0; i < ends_.size(); ++i)
+    by_x_.push_back({ends_[i].x, static_cast<Index>(i)});
+  std::sort(by_x_.begin(), by_x_.end());
+  plan_->events.clear(), event_x.clear(), plan_->segments.clear(), plan_->contenders.clear(),
+      active_.clear();
+  plan_->kept_until = -kInfinity;
+  bool chosen = false, inside = false;
+  Index first_contender = 0;
+  for (std::size_t i = 0; i < by_x_.size(); ++i) {
+    const ItemEnd& end = ends_[by_x_[i].second];
+    const Index event = static_cast<Index>(i);
+    plan_->events.push_back({end.line, i > 0 && by_x_[i - 1].first == end.x});
+    event_x.push_back(end.x);
+    if (end.item == kNone) {
+      inside = !inside;
+    } else if (end.begins) {
+      active_.push_back(end.item);
+      chosen = chosen && order(plan_->contenders[first_contender], end.item) > 0;
+    } else {
+      std::erase(active_, end.item);
+      chosen = chosen && std::find(plan_->contenders.begin() + first_contender,
+                                   plan_->contenders.end(), end.item) == plan_->contenders.end();
+    }
+    if (i + 1 == by_x_.size() || by_x_[i + 1].first == end.x || !inside || active_.empty())
+      continue;
+    if (!chosen) first_contender = static_cast<Index>(plan_->contenders.size()), choose();
+    chosen = true;
+    plan_->segments.push_back(
+        {event, event + 1, first_contender, static_cast<Index>(plan_->contenders.size())});
+  }
+}
+
+/// Appends the winner, before which no other surely lies, and what may meet it.
+void RowPlanner::choose() {
+  Index winner = active_.front();
+  for (std::size_t turns = 0; turns < active_.size(); ++turns) {
+    const Index before = winner;
+    for (const Index i : active_)
+      if (i != winner && order(i, winner) > 0) winner = i;
+    if (winner == before) break;
+  }
+  plan_->contenders.push_back(winner);
+  for (const Index i : active_)
+    if (i != winner && order(winner, i) <= 0) plan_->contenders.push_back(i);
+}
+
+}  // namespace overstrike
