@@ -28,12 +28,12 @@ FaceShade shade_of(const Canonical& canonical, const CanonicalFace& face, bool s
     const DensityLaw& law = canonical.law;
     return {clamped(law.cut_factor * law.hmax * body.density_factor), false};
   }
+  if (!canonical.light) return {lit_density(canonical, body, Vec3(0.0)), true};
   const Vec3 outward = canonical.outward(face);
   const Vec3 normal = seen_from_behind ? -outward : outward;
   // NN74's tie rule: light along the face is shade. Exact, as who receives shadows is.
-  const bool lit =
-      !canonical.light || side_of_direction(canonical.planes[face.plane], face.flipped,
-                                            *canonical.light) == (seen_from_behind ? -1 : 1);
+  const bool lit = side_of_direction(canonical.planes[face.plane], face.flipped,
+                                     *canonical.light) == (seen_from_behind ? -1 : 1);
   return {lit ? lit_density(canonical, body, normal) : shade_density(canonical, body), lit};
 }
 

@@ -84,29 +84,37 @@ DepthMap::Image DepthMap::image(Index number) const {
 // |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
 // digits: e_j bound the errors of the components of pi', here for all normals of unit length, and
 // the factor covers the rounding of this and of z itself, which is at most as large.
-bool DepthMap::add_range(Index number, std::span<const Index> corners, std::span<const Vec2> points,
-                         const Vec2& reach, double& low, double& high) const {
-  const Plane& p = plane(number);
-  double value[4], size[4];
-  for (int j = 0; j < 4; ++j) {
-    value[j] = p.normal.x * rounded_[0][j] + p.normal.y * rounded_[1][j] +
-               p.normal.z * rounded_[2][j] - p.offset * rounded_[3][j];
-    size[j] = normal_size_[j] + std::fabs(p.offset * rounded_[3][j]);
+DepthMap::Range::Range(const DepthMap& map, const Vec2& reach) : map_(map) {
+  const double at[3] = {reach.x, reach.y, 1};
+  sizes_ = sizes_by_offset_ = 0;
+  for (int j = 0; j < 3; ++j) {
+    sizes_ += at[j] * map_.normal_size_[j];
+    sizes_by_offset_ += at[j] * std::fabs(map_.rounded_[3][j]);
   }
+}
+
+bool DepthMap::Range::add(Index number, std::span<const Index> corners, const Vec2* points) {
+  const Plane& p = map_.plane(number);
+  const auto& m = map_.rounded_;
+  const auto value = [&](int j) {
+    return p.normal.x * m[0][j] + p.normal.y * m[1][j] + p.normal.z * m[2][j] - p.offset * m[3][j];
+  };
+  const double offset = std::fabs(p.offset);
+  const double z = value(3), size_z = map_.normal_size_[3] + offset * std::fabs(m[3][3]);
   constexpr double kFirstDigits = 1e-3;
-  if (!(kDotError * size[3] <= kFirstDigits * std::fabs(value[3]))) {
+  if (!(kDotError * size_z <= kFirstDigits * std::fabs(z))) {
     low = -HUGE_VAL, high = HUGE_VAL;
-    return depth(number).has_value();
+    return map_.depth(number).has_value();
   }
-  const double over = -1 / value[3];
-  const double a = value[0] * over, b = value[1] * over, c = value[2] * over;
+  const double over = -1 / z;
+  const double a = value(0) * over, b = value(1) * over, c = value(2) * over;
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Index corner : corners) {
-    const double z = a * points[corner].x + b * points[corner].y + c;
-    least = std::min(least, z), most = std::max(most, z);
+    const double depth = a * points[corner].x + b * points[corner].y + c;
+    least = std::min(least, depth), most = std::max(most, depth);
   }
   const double farthest = std::max(std::fabs(least), std::fabs(most));
-  const double sizes = reach.x * size[0] + reach.y * size[1] + size[2] + farthest * size[3];
+  const double sizes = sizes_ + offset * sizes_by_offset_ + farthest * size_z;
   const double error = 4 * kDotError * sizes * std::fabs(over);
   low = std::min(low, least - error), high = std::max(high, most + error);
   return true;

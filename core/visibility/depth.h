@@ -42,10 +42,19 @@ class DepthMap {
   std::optional<DepthPlane> depth(Index plane) const;
   /// The plane as the view's matrix takes it.
   ExactPlane exact(Index plane) const;
-  /// Bounds of the plane's depth over some points of the grid, whose coordinates are at most
-  /// `reach`: widens low..high. False when the plane passes through the eye.
-  bool add_range(Index plane, std::span<const Index> corners, std::span<const Vec2> points,
-                 const Vec2& reach, double& low, double& high) const;
+  /// Bounds of the depths of some faces, whose points' coordinates are at most `reach`.
+  class Range {
+   public:
+    Range(const DepthMap& map, const Vec2& reach);
+    /// Widens the bounds by the plane's depth over some points. False when it passes through the
+    /// eye.
+    bool add(Index plane, std::span<const Index> corners, const Vec2* points);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+
+   private:
+    const DepthMap& map_;
+    double sizes_, sizes_by_offset_;  ///< of terms but those of pi'_z
+  };
 
  private:
   /// Of the plane as the view's matrix takes it: the components, and the sums of the sizes of their

@@ -37,10 +37,10 @@ class Builder {
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
   bool turned(const CanonicalFace& f) const;
-  void add_side(const WingedEdge& edge, bool left_seen);
-  void add_small_side(const WingedEdge& edge);
+  void add_side(const Side& side, Index from, Index to);
+  void add_small_side(const Side& side, Index from, Index to, Index beyond);
   void keep_outline(Index number);
-  Index corner_of(Index face, Index vertex) const;
+  void add_sides(const CanonicalBody& body, Index face);
   void note_manifold_levels(Index number);
 
   FrontTable& table_;
@@ -49,6 +49,7 @@ class Builder {
   Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
   std::vector<OutlineSide> left_, right_;
   std::vector<SmallSide> all_;  ///< of a body in a picture, as long as they are few
+  bool few_ = false;
 };
 
 // Each of x^, y^, w^ is a sum of four products, rounded by at most 2 eps sum |terms|; the quotient
@@ -144,7 +145,7 @@ bool Builder::turned(const CanonicalFace& f) const {
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
-  front.near_z = -kInfinity, front.far_z = kInfinity;
+  DepthMap::Range depths(table_.depths, reach_);
   bool from_front = false, from_behind = false, walk = true, triangles = true;
   for (Index i = body.first_face; i < body.end_face; ++i) {
     const CanonicalFace& f = c_.faces[i];
@@ -154,8 +155,8 @@ void Builder::look_at_faces(Index number) {
     if (side == 0 || (behind && body.closed && !f.cut)) continue;
     // The depth of a plane over a face is extreme at its corners.
     const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
-    if (!table_.depths.add_range(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
-                                 table_.points, reach_, front.far_z, front.near_z))
+    if (!depths.add(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
+                    table_.points.data()))
       continue;
     table_.sides[i] = behind ? -1 : 1;
     if (table_.use == FrontUse::picture) {
@@ -170,41 +171,53 @@ void Builder::look_at_faces(Index number) {
     (behind ? from_behind : from_front) = true;
     walk = walk && walkable(f) && !(f.cut && turned(f));
   }
+  front.far_z = depths.low, front.near_z = depths.high;
   front.triangles = triangles;
   front.simple = body.simple;
   front.loose = front.seen && (!walk || (from_front && from_behind));
 }
 
-Index Builder::corner_of(Index face, Index vertex) const {
-  const CanonicalFace& f = c_.faces[face];
-  const Index end = c_.loop_ends[f.end_loop - 1];
-  for (Index i = c_.first_corner(f.first_loop); i < end; ++i)
-    if (c_.corners[i] == vertex) return i;
-  return kNone;
-}
-
-void Builder::add_small_side(const WingedEdge& edge) {
-  const Vec2 &a = table_.points[edge.from], &b = table_.points[edge.to];
-  if (a.y == b.y) return;
-  const Index left = table_.seen(edge.left) ? edge.left : kNone;
-  const Index right = table_.seen(edge.right) ? edge.right : kNone;
-  // What goes down in a face's loop has the face on its right, when it is seen from its front.
-  const bool down = a.y < b.y;
-  const bool ahead = down != table_.from_behind(left != kNone ? left : right);
-  all_.push_back(
-      {down ? LevelLine(a, b) : LevelLine(b, a), ahead ? right : left, ahead ? left : right});
-}
-
-void Builder::add_side(const WingedEdge& edge, bool left_seen) {
-  const Index from = left_seen ? edge.from : edge.to, to = left_seen ? edge.to : edge.from;
-  const Index face = left_seen ? edge.left : edge.right;
+/// `beyond`: the seen face on the other side, or kNone.
+void Builder::add_small_side(const Side& side, Index from, Index to, Index beyond) {
   const Vec2 &a = table_.points[from], &b = table_.points[to];
   if (a.y == b.y) return;
-  const Side side{corner_of(face, from), face};
+  // What goes down in a face's loop has the face on its right, when it is seen from its front.
+  const bool down = a.y < b.y;
+  const bool ahead = down != table_.from_behind(side.face);
+  all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? beyond : side.face,
+                  ahead ? side.face : beyond});
+  few_ = all_.size() <= kFewSides;
+}
+
+void Builder::add_side(const Side& side, Index from, Index to) {
+  const Vec2 &a = table_.points[from], &b = table_.points[to];
+  if (a.y == b.y) return;
   const bool down = a.y < b.y;
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
-  (down != table_.from_behind(face) ? left_ : right_)
+  (down != table_.from_behind(side.face) ? left_ : right_)
       .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+}
+
+/// The sides of a seen face that are outlines, and, of few, those that no earlier face had.
+void Builder::add_sides(const CanonicalBody& body, Index face) {
+  const CanonicalFace& f = c_.faces[face];
+  const Twin* const twins = c_.twins.data() + body.first_twin - body.first_corner;
+  const signed char* const sides = table_.sides.data() + body.first_face;
+  for (Index l = f.first_loop, first = c_.first_corner(l); l < f.end_loop; ++l) {
+    const Index end = c_.loop_ends[l];
+    for (Index corner = first; corner < end; ++corner) {
+      const Twin& twin = twins[corner];
+      const bool outline = twin.face == kNone || sides[twin.face] == 0;
+      const bool listed = few_ && (outline || corner < twin.corner + body.first_corner);
+      if (!outline && !listed) continue;
+      const Index from = c_.corners[corner],
+                  to = c_.corners[corner + 1 == end ? first : corner + 1];
+      if (outline) add_side({corner, face}, from, to);
+      if (listed)
+        add_small_side({corner, face}, from, to, outline ? kNone : twin.face + body.first_face);
+    }
+    first = end;
+  }
 }
 
 /// Closed loops begin as often as they end, so that the beginnings tell for both.
@@ -282,13 +295,9 @@ void Builder::find_outline(Index number) {
   const FrontBody& front = table_.bodies[number];
   if (!front.seen || front.loose) return;
   left_.clear(), right_.clear(), all_.clear();
-  const bool picture = table_.use == FrontUse::picture;
-  for (Index e = body.first_edge; e < body.end_edge; ++e) {
-    const WingedEdge& edge = c_.edges[e];
-    const bool left = table_.seen(edge.left), right = table_.seen(edge.right);
-    if (left != right) add_side(edge, left);
-    if ((left || right) && picture && all_.size() <= kFewSides) add_small_side(edge);
-  }
+  few_ = table_.use == FrontUse::picture;
+  for (Index f = body.first_face; f < body.end_face; ++f)
+    if (table_.seen(f)) add_sides(body, f);
   keep_outline(number);
 }
 
