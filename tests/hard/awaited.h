@@ -12,7 +12,6 @@ struct Awaited {
 };
 
 constexpr Awaited kAwaited[] = {
-    {"oracle", "bodies-crossing-flatly"},
     {"oracle", "huge-and-tiny"},
     {"oracle, far away", "bodies-crossing-flatly"},
     {"oracle, far away", "coplanar-opposite-inside"},
@@ -33,7 +32,6 @@ constexpr Awaited kAwaited[] = {
     {"oracle, far away", "needles"},
     {"oracle, far away", "on-and-through-the-ground"},
     {"oracle, far away", "open-mesh"},
-    {"oracle, far away", "plug-in-a-hole"},
     {"oracle, far away", "round-bodies-cross"},
     {"oracle, far away", "round-bodies-touch"},
     {"oracle, far away", "slivers"},
