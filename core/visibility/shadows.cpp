@@ -18,12 +18,20 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// The plane of a receiver as the light sees it.
+/// What a plane may be off its vertices, in parts of their coordinates: vertices are rounded three
+/// times over (shaped, placed, counted from the origin), and the offset is a rounded sum of rounded
+/// products, a normal's and a vertex's. Where it is farther off, the file's own rounding has bent
+/// the face, or welding has moved it.
+constexpr double kPlaneRounding = 16 * 0x1p-53;
+
+/// The plane of a receiver as the light sees it. A receiver is what the eye sees of it: its corners
+/// are where the eye sees its vertices on the plane.
 struct Receiver {
   Index face;      ///< in seen.faces; seen.faces.size() for the ground
   Index body;      ///< in whole.bodies; kNone for the ground
   Index plane_id;  ///< kNone for the ground
   Plane plane;
+  bool off_plane;      ///< its vertices lie farther off it than rounding alone takes them
   double along_light;  ///< dot(plane.normal, L), not 0; its sign is the lit side's
   LightRegion region;  ///< across the light
   double low_z = -HUGE_VAL, high_z = -HUGE_VAL;  ///< bounds of its heights towards the light
@@ -80,7 +88,14 @@ struct ShadowCaster::Impl {
     for (const CanonicalBody& body : seen.bodies) whole_body.push_back(by_source.at(body.source));
   }
 
+  template <class Visit>
+  void for_each_vertex(const CanonicalFace& f, const Visit& visit) const {
+    // The corners of a face's loops follow each other.
+    for (Index i = seen.first_corner(f.first_loop); i < seen.first_corner(f.end_loop); ++i)
+      visit(seen.vertices[seen.corners[i]]);
+  }
   std::optional<Receiver> receiver_of(Index face) const;
+  Vec3 seen_on(const Plane& plane, const Vec3& p) const;
   std::optional<Receiver> ground() const;
   Shadow cast_on(const Receiver& receiver, Work& work) const;
   bool cast_body(Index body, const Receiver& r, Work& work) const;
@@ -112,16 +127,18 @@ std::optional<Receiver> ShadowCaster::Impl::receiver_of(Index face) const {
   r.plane_id = f.plane;
   r.plane = seen.planes[f.plane];
   r.along_light = along(r.plane, frame.light);
-  double low = HUGE_VAL, high = -HUGE_VAL, size = std::fabs(r.plane.offset), off = 0;
-  for (Index l = f.first_loop; l < f.end_loop; ++l)
-    for (const Index v : seen.loop(l)) {
-      const Vec3& p = seen.vertices[v];
-      const Vec3 q = frame(p);
-      r.region.add(Vec2(q));
-      low = std::min(low, q.z), high = std::max(high, q.z);
-      off = std::max(off, std::fabs(glm::dot(r.plane.normal, p) - r.plane.offset));
-      size = std::max(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
-    }
+  double size = std::fabs(r.plane.offset), off = 0;
+  for_each_vertex(f, [&](const Vec3& p) {
+    off = std::max(off, std::fabs(glm::dot(r.plane.normal, p) - r.plane.offset));
+    size = std::max(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+  });
+  r.off_plane = off > kPlaneRounding * size;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for_each_vertex(f, [&](const Vec3& p) {
+    const Vec3 q = frame(r.off_plane ? seen_on(r.plane, p) : p);
+    r.region.add(Vec2(q));
+    low = std::min(low, q.z), high = std::max(high, q.z);
+  });
   // The plane passes its vertices by at `off` / |n . L|. What was rounded: two sums of products of
   // at most `size` and twice that, and n . L, whose part of itself is as much of the quotient.
   constexpr double kError = 4 * 0x1p-52;
@@ -129,6 +146,13 @@ std::optional<Receiver> ShadowCaster::Impl::receiver_of(Index face) const {
   const double error = kError * size + steep * (off + kError * (2 * size + steep * off));
   r.low_z = low - 2 * error, r.high_z = high + 2 * error;
   return r;
+}
+
+/// Where the eye sees a vertex on a plane.
+Vec3 ShadowCaster::Impl::seen_on(const Plane& plane, const Vec3& p) const {
+  const Vec3 to_eye = Vec3(view.eye) - p * view.eye.w;
+  const double facing = glm::dot(plane.normal, to_eye);
+  return facing == 0 ? p : p - to_eye * (height_of_point(plane, p) / facing);
 }
 
 std::optional<Receiver> ShadowCaster::Impl::ground() const {
@@ -177,7 +201,10 @@ bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) 
   const FrontBody& body = light.bodies[number];
   if (!body.seen || body.near_z <= r.low_z) return false;
   if (!walked(body)) return leave_faces(number, r, work), false;
-  if (number == r.body) return false;
+  if (number == r.body) {
+    if (r.off_plane) leave_faces(number, r, work);
+    return false;
+  }
   const bool above = r.body == kNone ? body.low.z >= r.plane.offset : body.far_z >= r.high_z;
   if (above) return leave_outline(body, r, work);
   leave_faces(number, r, work);
@@ -298,7 +325,12 @@ void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Wo
 const std::vector<Vec2>& ShadowCaster::Impl::outline_of(const Receiver& r, Work& work) const {
   if (work.outline_known || r.body == kNone) return work.outline;
   const CanonicalFace& f = seen.faces[r.face];
-  if (f.end_loop - f.first_loop == 1) frame.convex_outline(seen, f, work.outline);
+  if (f.end_loop - f.first_loop == 1) {
+    for_each_vertex(f, [&](const Vec3& p) {
+      work.outline.emplace_back(frame(r.off_plane ? seen_on(r.plane, p) : p));
+    });
+    keep_if_convex(work.outline);
+  }
   work.outline_known = true;
   return work.outline;
 }
