@@ -106,7 +106,8 @@ struct ShadowCaster::Impl {
   void leave(const Receiver& r, int winding, Work& work) const;
   const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
   Vec3 lifted(const Receiver& r, const Vec2& p) const;
-  bool walked(const FrontBody& body) const { return !body.loose && !body.broken; }
+  bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
+  bool is_above_ground(Index body, const Plane& ground) const;
 
   const Canonical& whole;
   const Canonical& seen;
@@ -205,10 +206,35 @@ bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) 
     if (r.off_plane) leave_faces(number, r, work);
     return false;
   }
-  const bool above = r.body == kNone ? body.low.z >= r.plane.offset : body.far_z >= r.high_z;
+  const bool above = r.body == kNone ? is_above_ground(number, r.plane) : body.far_z >= r.high_z;
   if (above) return leave_outline(body, r, work);
   leave_faces(number, r, work);
   return false;
+}
+
+/// Whether nothing of the body's seen faces would be cut off by the ground, but for what is thinner
+/// than the rounding of their corners. Faces' planes may lie below their vertices, as far as they
+/// are off them; not by as much as this part of the body's height, but for faces that graze the
+/// light so that they cast next to nothing.
+bool ShadowCaster::Impl::is_above_ground(Index number, const Plane& ground) const {
+  constexpr double kFarAbove = 0x1p-10;
+  const FrontBody& front = light.bodies[number];
+  if (front.low.z < ground.offset) return false;
+  if (front.low.z - ground.offset >= kFarAbove * (front.high.z - front.low.z)) return true;
+  const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
+  const CanonicalBody& body = whole.bodies[number];
+  for (Index f = body.first_face; f < body.end_face; ++f) {
+    if (!light.seen(f)) continue;
+    const PlaneGap gap(whole.planes[whole.faces[f].plane], ground, frame.light, reach);
+    double least = 0, most = 0;
+    for (Index i = whole.first_corner(whole.faces[f].first_loop);
+         i < whole.first_corner(whole.faces[f].end_loop); ++i) {
+      const double at = gap.at(whole.vertices[whole.corners[i]]);
+      least = std::min(least, at), most = std::max(most, at);
+    }
+    if (least < -kPlaneRounding * most) return false;
+  }
+  return true;
 }
 
 /// The sides of the outline between the receiver's levels, down on the left and up on the right.
@@ -304,6 +330,7 @@ void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Wo
   const FrontBody& body = light.bodies[f.body];
   const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light,
                      glm::max(glm::abs(body.low), glm::abs(body.high)));
+  const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
   std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     if (!take_above(l, gap, work)) continue;
@@ -311,7 +338,7 @@ void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Wo
       std::vector<Vec2>& loop = loops.emplace_back();
       for (const SidePart& part : work.polygon) loop.push_back(part.from());
     } else if (!separate(outline_of(r, work), work.polygon)) {
-      leave(r, light.from_behind(g) ? -1 : 1, work);
+      leave(r, turns_left ? 1 : -1, work);
     }
   }
   if (!crossed) return;
