@@ -52,7 +52,9 @@ constexpr double kOriginStep = 0x1p-20;
 Vec3 rounded(const Vec3& p, double size) {
   const double step = std::ldexp(kOriginStep, std::ilogb(size) + 1);
   if (!(size > 0) || !std::isfinite(step)) return p;
-  const Vec3 q = glm::roundEven(p / step) * step;
+  // Exact, of numbers of any size (glm's rounding goes by way of an int) and in any rounding mode.
+  const auto left = [step](double x) { return std::remainder(x, step); };
+  const Vec3 q = p - Vec3(left(p.x), left(p.y), left(p.z));
   return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) ? q : p;
 }
 

@@ -17,14 +17,21 @@ RegionGrid::RegionGrid(std::vector<LightRegion> regions, double cells_per_thing)
   origin_ = all.low;
   scale_ = Vec2(side_) / glm::max(all.high - all.low, Vec2(1e-300));
   start_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
+  struct Cells {
+    int row, end_row, column, end_column;
+  };
+  std::vector<Cells> cells(regions_.size(), Cells{});
+  for (Index i = 0; i < regions_.size(); ++i) {
+    const LightRegion& r = regions_[i];
+    if (r.low.x <= r.high.x)
+      cells[i] = {row_of(r.low.y), row_of(r.high.y) + 1, column_of(r.low.x),
+                  column_of(r.high.x) + 1};
+  }
   const auto each = [&](const auto& visit) {
-    for (Index i = 0; i < regions_.size(); ++i) {
-      const LightRegion& r = regions_[i];
-      if (!(r.low.x <= r.high.x)) continue;
-      for (int row = row_of(r.low.y), last = row_of(r.high.y); row <= last; ++row)
-        for (int column = column_of(r.low.x); column <= column_of(r.high.x); ++column)
+    for (Index i = 0; i < cells.size(); ++i)
+      for (int row = cells[i].row; row < cells[i].end_row; ++row)
+        for (int column = cells[i].column; column < cells[i].end_column; ++column)
           visit(i, row * side_ + column);
-    }
   };
   each([&](Index, int cell) { ++start_[cell + 1]; });
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
@@ -53,16 +60,21 @@ const CasterIndex::OfBody& CasterIndex::of_body(Index body) const {
 void CasterIndex::find_faces(Index number, OfBody& of) const {
   const Canonical& c = light_.canonical;
   const CanonicalBody& body = c.bodies[number];
+  for (Index f = body.first_face; f < body.end_face; ++f)
+    if (light_.seen(f)) of.faces.push_back(f);
   std::vector<LightRegion> regions;
-  for (Index f = body.first_face; f < body.end_face; ++f) {
-    if (!light_.seen(f)) continue;
-    of.faces.push_back(f);
-    regions.emplace_back();
-    for (Index l = c.faces[f].first_loop; l < c.faces[f].end_loop; ++l)
-      for (const Index v : c.loop(l)) regions.back().add(light_.points[v]);
-    of.crossed.push_back(is_crossed(f));
+  regions.reserve(of.faces.size());
+  of.crossed.assign(of.faces.size(), 0);
+  for (const Index f : of.faces) {
+    LightRegion region;
+    // The corners of all loops follow each other.
+    for (Index i = c.first_corner(c.faces[f].first_loop); i < c.first_corner(c.faces[f].end_loop);
+         ++i)
+      region.add(light_.points[c.corners[i]]);
+    if (!light_.bodies[number].triangles) of.crossed[regions.size()] = is_crossed(f);
+    regions.push_back(region);
   }
-  of.grid = RegionGrid(std::move(regions), 0.5);
+  of.grid = RegionGrid(std::move(regions), 0.25);
 }
 
 bool CasterIndex::is_crossed(Index face) const {
@@ -75,32 +87,6 @@ bool CasterIndex::is_crossed(Index face) const {
     for (const Index v : c.loop(l)) loops.back().push_back(light_.points[v]);
   }
   return !even_odd(loops).simple;
-}
-
-void CasterIndex::find_planes(Index number, OfBody& of) const {
-  const Canonical& c = light_.canonical;
-  const CanonicalBody& body = c.bodies[number];
-  of.plane_start.assign(body.end_vertex - body.first_vertex + 1, 0);
-  const auto each = [&](const auto& visit) {
-    for (Index f = body.first_face; f < body.end_face; ++f)
-      for (Index l = c.faces[f].first_loop; l < c.faces[f].end_loop; ++l)
-        for (const Index v : c.loop(l)) visit(v - body.first_vertex, f);
-  };
-  each([&](Index v, Index) { ++of.plane_start[v + 1]; });
-  for (std::size_t i = 1; i < of.plane_start.size(); ++i)
-    of.plane_start[i] += of.plane_start[i - 1];
-  of.planes.resize(of.plane_start.back());
-  std::vector<Index> at(of.plane_start.begin(), of.plane_start.end() - 1);
-  each([&](Index v, Index f) { of.planes[at[v]++] = c.faces[f].plane; });
-}
-
-bool CasterIndex::touches(Index body, Index vertex, Index plane) const {
-  OfBody& of = of_body_[body];
-  std::call_once(of.planes_once, [&] { find_planes(body, of); });
-  const Index v = vertex - light_.canonical.bodies[body].first_vertex;
-  const auto first = of.planes.begin() + of.plane_start[v];
-  const auto end = of.planes.begin() + of.plane_start[v + 1];
-  return std::find(first, end, plane) != end;
 }
 
 }  // namespace overstrike

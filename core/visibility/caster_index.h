@@ -71,8 +71,6 @@ class CasterIndex {
   const std::vector<Index>& faces_of(Index body) const { return of_body(body).faces; }
   /// Per item: the face's outlines cross, so that winding numbers do not say what is inside.
   const std::vector<char>& crossed(Index body) const { return of_body(body).crossed; }
-  /// The vertex belongs to a face of that plane: it lies on it by topology, whatever rounding says.
-  bool touches(Index body, Index vertex, Index plane) const;
 
  private:
   struct OfBody {
@@ -80,13 +78,10 @@ class CasterIndex {
     std::vector<Index> faces;
     std::vector<char> crossed;
     RegionGrid grid;
-    std::once_flag planes_once;
-    std::vector<Index> plane_start, planes;  ///< of the body's vertices
   };
   const OfBody& of_body(Index body) const;
   bool is_crossed(Index face) const;
   void find_faces(Index body, OfBody& of) const;
-  void find_planes(Index body, OfBody& of) const;
 
   const FrontTable& light_;
   RegionGrid bodies_;

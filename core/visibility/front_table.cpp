@@ -8,6 +8,22 @@
 #include "core/visibility/ground_polygon.h"
 
 namespace overstrike {
+
+double area_of(const FrontTable& table, Index face) {
+  const Canonical& c = table.canonical;
+  const CanonicalFace& f = c.faces[face];
+  double area = 0;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    const std::span<const Index> loop = c.loop(l);
+    const Vec2& base = table.points[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const Vec2 a = table.points[loop[i]] - base, b = table.points[loop[i + 1]] - base;
+      area += a.y * b.x - a.x * b.y;
+    }
+  }
+  return area;
+}
+
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
@@ -36,7 +52,6 @@ class Builder {
   void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
-  bool turned(const CanonicalFace& f) const;
   void add_side(const Side& side, Index from, Index to);
   void add_small_side(const Side& side, Index from, Index to, Index beyond);
   void keep_outline(Index number);
@@ -127,21 +142,6 @@ bool Builder::walkable(const CanonicalFace& f) const {
   return turns <= 2;
 }
 
-/// A body that passes through itself may be inside out where it is cut: its cap looks to the eye,
-/// but turns the other way.
-bool Builder::turned(const CanonicalFace& f) const {
-  double area = 0;
-  for (Index l = f.first_loop; l < f.end_loop; ++l) {
-    const std::span<const Index> loop = c_.loop(l);
-    const Vec2& base = table_.points[loop[0]];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vec2 a = table_.points[loop[i]] - base, b = table_.points[loop[i + 1]] - base;
-      area += a.x * b.y - a.y * b.x;
-    }
-  }
-  return area > 0;
-}
-
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
@@ -167,9 +167,15 @@ void Builder::look_at_faces(Index number) {
       tone.density = shade.density;
       tone.smooth = is_smooth(f, behind, tone.density);
     }
+    if (table_.use == FrontUse::outlines) {
+      const double area = area_of(table_, i);
+      front.turned |= behind ? area > 0 : area < 0;
+    }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
-    walk = walk && walkable(f) && !(f.cut && turned(f));
+    // A body that passes through itself may be inside out where it is cut: its cap looks to the
+    // eye, but turns the other way.
+    walk = walk && walkable(f) && !(f.cut && area_of(table_, i) < 0);
   }
   front.far_z = depths.low, front.near_z = depths.high;
   front.triangles = triangles;

@@ -15,10 +15,7 @@ LightFrame::LightFrame(const Vec3& towards_light) : light(towards_light) {
   up = glm::cross(light, right);
 }
 
-void LightFrame::convex_outline(const Canonical& c, const CanonicalFace& face,
-                                std::vector<Vec2>& outline) const {
-  outline.clear();
-  for (const Index v : c.loop(face.first_loop)) outline.emplace_back((*this)(c.vertices[v]));
+void keep_if_convex(std::vector<Vec2>& outline) {
   const std::size_t n = outline.size();
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -12,12 +12,11 @@ struct LightFrame {
   Vec3 operator()(const Vec3& p) const {
     return Vec3(glm::dot(right, p), glm::dot(up, p), glm::dot(light, p));
   }
-  /// The face's outline as the light sees it, counter-clockwise, or nothing when it is not strictly
-  /// convex there.
-  void convex_outline(const Canonical& canonical, const CanonicalFace& face,
-                      std::vector<Vec2>& outline) const;
 
   Vec3 right, up, light;
 };
+
+/// Turns an outline counter-clockwise; leaves nothing of one that is not strictly convex.
+void keep_if_convex(std::vector<Vec2>& outline);
 
 }  // namespace overstrike

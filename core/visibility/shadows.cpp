@@ -10,47 +10,28 @@
 #include "core/visibility/caster_index.h"
 #include "core/visibility/depth.h"
 #include "core/visibility/light_frame.h"
+#include "core/visibility/plane_gap.h"
+#include "core/visibility/shadow_border.h"
 
 namespace overstrike {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-bool before(const Vec2& a, const Vec2& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
-bool before(const Vec3& a, const Vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
+/// What a plane may be off its vertices, in parts of their coordinates: vertices are rounded three
+/// times over (shaped, placed, counted from the origin), and the offset is a rounded sum of rounded
+/// products, a normal's and a vertex's. Where it is farther off, the file's own rounding has bent
+/// the face, or welding has moved it.
+constexpr double kPlaneRounding = 16 * 0x1p-53;
 
-/// Keeps the part of a closed polygon where the heights given for its corners are not negative.
-/// Points on an edge come from its ends in a canonical order, so that two polygons that share the
-/// edge share the point to the bit.
-template <class Point>
-void cut(const std::vector<Point>& polygon, const std::vector<double>& heights,
-         std::vector<Point>& result) {
-  result.clear();
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t p = i, q = i + 1 == n ? 0 : i + 1;
-    if (heights[p] >= 0) result.push_back(polygon[p]);
-    if (!((heights[p] < 0 && heights[q] > 0) || (heights[p] > 0 && heights[q] < 0))) continue;
-    if (before(polygon[q], polygon[p])) std::swap(p, q);
-    result.push_back(polygon[p] +
-                     (polygon[q] - polygon[p]) * (heights[p] / (heights[p] - heights[q])));
-  }
-}
-
-/// A piece of boundary across the light.
-struct FlatShadowEdge {
-  Vec2 a, b;
-  int winding;
-};
-
-/// The plane of a receiver as the light sees it.
+/// The plane of a receiver as the light sees it. A receiver is what the eye sees of it: its corners
+/// are where the eye sees its vertices on the plane.
 struct Receiver {
   Index face;      ///< in seen.faces; seen.faces.size() for the ground
   Index body;      ///< in whole.bodies; kNone for the ground
   Index plane_id;  ///< kNone for the ground
   Plane plane;
+  bool off_plane;      ///< its vertices lie farther off it than rounding alone takes them
   double along_light;  ///< dot(plane.normal, L), not 0; its sign is the lit side's
   LightRegion region;  ///< across the light
   double low_z = -HUGE_VAL, high_z = -HUGE_VAL;  ///< bounds of its heights towards the light
@@ -75,44 +56,15 @@ int lit_and_seen_side(const Canonical& c, const CanonicalFace& f, const View& vi
   return eye > 0 || !c.bodies[f.body].closed ? eye : 0;
 }
 
-/// Borders between two casters are there twice, once in each direction: they cancel.
-void cancel(std::vector<FlatShadowEdge>& edges) {
-  for (FlatShadowEdge& e : edges)
-    if (before(e.b, e.a)) std::swap(e.a, e.b), e.winding = -e.winding;
-  const auto ends = [](const FlatShadowEdge& e) { return std::tie(e.a.x, e.a.y, e.b.x, e.b.y); };
-  std::sort(edges.begin(), edges.end(),
-            [&](const auto& p, const auto& q) { return ends(p) < ends(q); });
-  std::size_t out = 0;
-  for (std::size_t i = 0; i < edges.size();) {
-    FlatShadowEdge sum = edges[i];
-    std::size_t j = i + 1;
-    while (j < edges.size() && ends(edges[j]) == ends(sum)) sum.winding += edges[j++].winding;
-    if (sum.winding != 0) edges[out++] = sum;
-    i = j;
-  }
-  edges.resize(out);
-}
-
-int winding_at(const Vec2& p, const std::vector<FlatShadowEdge>& edges) {
-  int winding = 0;
-  for (const FlatShadowEdge& e : edges) {
-    if ((e.a.y <= p.y) == (e.b.y <= p.y)) continue;
-    const bool left = cross(e.b - e.a, p - e.a) > 0;
-    if (e.b.y > e.a.y && left) winding += e.winding;
-    if (e.b.y < e.a.y && !left) winding -= e.winding;
-  }
-  return winding;
-}
-
 }  // namespace
 
 struct ShadowCaster::Scratch::Impl {
   RegionGrid::Stamps bodies, faces;
-  std::vector<FlatShadowEdge> edges;
+  std::vector<ShadowBorder> edges;
   std::vector<Vec2> outline;  ///< of the receiver, counter-clockwise; only when strictly convex
   bool outline_known = false;
-  std::vector<Vec3> loop, loop_cut;
-  std::vector<Vec2> polygon, polygon_cut;
+  std::vector<Vec2> corners;
+  ShadowPolygon polygon, polygon_cut;
   std::vector<double> heights;
 };
 
@@ -136,18 +88,26 @@ struct ShadowCaster::Impl {
     for (const CanonicalBody& body : seen.bodies) whole_body.push_back(by_source.at(body.source));
   }
 
+  template <class Visit>
+  void for_each_vertex(const CanonicalFace& f, const Visit& visit) const {
+    // The corners of a face's loops follow each other.
+    for (Index i = seen.first_corner(f.first_loop); i < seen.first_corner(f.end_loop); ++i)
+      visit(seen.vertices[seen.corners[i]]);
+  }
   std::optional<Receiver> receiver_of(Index face) const;
+  Vec3 seen_on(const Plane& plane, const Vec3& p) const;
   std::optional<Receiver> ground() const;
   Shadow cast_on(const Receiver& receiver, Work& work) const;
   bool cast_body(Index body, const Receiver& r, Work& work) const;
   bool leave_outline(const FrontBody& body, const Receiver& r, Work& work) const;
   void leave_faces(Index body, const Receiver& r, Work& work) const;
   void leave_face(Index face, bool crossed, const Receiver& r, Work& work) const;
-  void leave(const Receiver& r, Work& work) const;
+  bool take_above(Index loop, const PlaneGap& gap, Work& work) const;
+  void leave(const Receiver& r, int winding, Work& work) const;
   const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
-  double height_over(const Receiver& r, Index body, Index vertex) const;
   Vec3 lifted(const Receiver& r, const Vec2& p) const;
-  bool walked(const FrontBody& body) const { return !body.loose && !body.broken; }
+  bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
+  bool is_above_ground(Index body, const Plane& ground) const;
 
   const Canonical& whole;
   const Canonical& seen;
@@ -167,21 +127,33 @@ std::optional<Receiver> ShadowCaster::Impl::receiver_of(Index face) const {
   r.body = whole_body.empty() ? f.body : whole_body[f.body];
   r.plane_id = f.plane;
   r.plane = seen.planes[f.plane];
-  r.along_light = glm::dot(r.plane.normal, frame.light);
-  if (r.along_light == 0) return std::nullopt;
-  double low = HUGE_VAL, high = -HUGE_VAL, size = 0;
-  for (Index l = f.first_loop; l < f.end_loop; ++l)
-    for (const Index v : seen.loop(l)) {
-      const Vec3& p = seen.vertices[v];
-      const Vec3 q = frame(p);
-      r.region.add(Vec2(q));
-      low = std::min(low, q.z), high = std::max(high, q.z);
-      size = std::max(size, glm::dot(glm::abs(frame.light), glm::abs(p)));
-    }
-  // A sum of three products.
+  r.along_light = along(r.plane, frame.light);
+  double size = std::fabs(r.plane.offset), off = 0;
+  for_each_vertex(f, [&](const Vec3& p) {
+    off = std::max(off, std::fabs(glm::dot(r.plane.normal, p) - r.plane.offset));
+    size = std::max(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+  });
+  r.off_plane = off > kPlaneRounding * size;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for_each_vertex(f, [&](const Vec3& p) {
+    const Vec3 q = frame(r.off_plane ? seen_on(r.plane, p) : p);
+    r.region.add(Vec2(q));
+    low = std::min(low, q.z), high = std::max(high, q.z);
+  });
+  // The plane passes its vertices by at `off` / |n . L|. What was rounded: two sums of products of
+  // at most `size` and twice that, and n . L, whose part of itself is as much of the quotient.
   constexpr double kError = 4 * 0x1p-52;
-  r.low_z = low - kError * size, r.high_z = high + kError * size;
+  const double steep = 1 / std::fabs(r.along_light);
+  const double error = kError * size + steep * (off + kError * (2 * size + steep * off));
+  r.low_z = low - 2 * error, r.high_z = high + 2 * error;
   return r;
+}
+
+/// Where the eye sees a vertex on a plane.
+Vec3 ShadowCaster::Impl::seen_on(const Plane& plane, const Vec3& p) const {
+  const Vec3 to_eye = Vec3(view.eye) - p * view.eye.w;
+  const double facing = glm::dot(plane.normal, to_eye);
+  return facing == 0 ? p : p - to_eye * (height_of_point(plane, p) / facing);
 }
 
 std::optional<Receiver> ShadowCaster::Impl::ground() const {
@@ -197,27 +169,14 @@ std::optional<Receiver> ShadowCaster::Impl::ground() const {
   return r;
 }
 
-double ShadowCaster::Impl::height_over(const Receiver& r, Index body, Index vertex) const {
-  const Vec3& p = whole.vertices[vertex];
-  const double height = glm::dot(r.plane.normal, p) - r.plane.offset;
-  // What belongs to the plane is no farther from it than welding lets it be.
-  constexpr double kNear = 0x1p-16;
-  const double size = glm::dot(glm::abs(r.plane.normal), glm::abs(p)) + std::fabs(r.plane.offset);
-  const bool lit_above = r.along_light > 0;
-  if (std::fabs(height) > kNear * size) return lit_above ? height : -height;
-  if (r.plane_id != kNone && index.touches(body, vertex, r.plane_id)) return 0;
-  const double exact = height_of_point(r.plane, p);
-  return lit_above ? exact : -exact;
-}
-
 /// Strictly: a polygon that only touches the outline of the receiver from outside leaves no shadow
 /// on it.
-bool separate(const std::vector<Vec2>& outline, const std::vector<Vec2>& polygon) {
+bool separate(const std::vector<Vec2>& outline, const ShadowPolygon& polygon) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& a = outline[i];
     const Vec2 along = outline[i + 1 == outline.size() ? 0 : i + 1] - a;
     if (std::all_of(polygon.begin(), polygon.end(),
-                    [&](const Vec2& p) { return cross(along, p - a) <= 0; }))
+                    [&](const SidePart& p) { return cross(along, p.from() - a) <= 0; }))
       return true;
   }
   return false;
@@ -225,13 +184,14 @@ bool separate(const std::vector<Vec2>& outline, const std::vector<Vec2>& polygon
 
 /// A line that has the whole outline on one side, or an edge of the outline that has the whole line
 /// outside.
-bool misses(const std::vector<Vec2>& outline, const FlatShadowEdge& e) {
+bool misses(const std::vector<Vec2>& outline, const ShadowBorder& border) {
+  const Vec2 from = border.part.from(), to = border.part.to();
   std::size_t left = 0, right = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& a = outline[i];
     const Vec2 along = outline[i + 1 == outline.size() ? 0 : i + 1] - a;
-    if (cross(along, e.a - a) <= 0 && cross(along, e.b - a) <= 0) return true;
-    const double side = cross(e.b - e.a, a - e.a);
+    if (cross(along, from - a) <= 0 && cross(along, to - a) <= 0) return true;
+    const double side = cross(to - from, a - from);
     left += side >= 0, right += side <= 0;
   }
   return left == outline.size() || right == outline.size();
@@ -242,11 +202,39 @@ bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) 
   const FrontBody& body = light.bodies[number];
   if (!body.seen || body.near_z <= r.low_z) return false;
   if (!walked(body)) return leave_faces(number, r, work), false;
-  if (number == r.body) return false;
-  const bool above = r.body == kNone ? body.low.z >= r.plane.offset : body.far_z >= r.high_z;
+  if (number == r.body) {
+    if (r.off_plane) leave_faces(number, r, work);
+    return false;
+  }
+  const bool above = r.body == kNone ? is_above_ground(number, r.plane) : body.far_z >= r.high_z;
   if (above) return leave_outline(body, r, work);
   leave_faces(number, r, work);
   return false;
+}
+
+/// Whether nothing of the body's seen faces would be cut off by the ground, but for what is thinner
+/// than the rounding of their corners. Faces' planes may lie below their vertices, as far as they
+/// are off them; not by as much as this part of the body's height, but for faces that graze the
+/// light so that they cast next to nothing.
+bool ShadowCaster::Impl::is_above_ground(Index number, const Plane& ground) const {
+  constexpr double kFarAbove = 0x1p-10;
+  const FrontBody& front = light.bodies[number];
+  if (front.low.z < ground.offset) return false;
+  if (front.low.z - ground.offset >= kFarAbove * (front.high.z - front.low.z)) return true;
+  const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
+  const CanonicalBody& body = whole.bodies[number];
+  for (Index f = body.first_face; f < body.end_face; ++f) {
+    if (!light.seen(f)) continue;
+    const PlaneGap gap(whole.planes[whole.faces[f].plane], ground, frame.light, reach);
+    double least = 0, most = 0;
+    for (Index i = whole.first_corner(whole.faces[f].first_loop);
+         i < whole.first_corner(whole.faces[f].end_loop); ++i) {
+      const double at = gap.at(whole.vertices[whole.corners[i]]);
+      least = std::min(least, at), most = std::max(most, at);
+    }
+    if (least < -kPlaneRounding * most) return false;
+  }
+  return true;
 }
 
 /// The sides of the outline between the receiver's levels, down on the left and up on the right.
@@ -279,11 +267,11 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r,
   if (left.most <= r.region.low.x && right.least >= r.region.high.x && body.top <= top &&
       body.bottom >= bottom)
     return true;
-  std::vector<Vec2>& polygon = work.polygon;
-  polygon.clear();
+  std::vector<Vec2>& corners = work.corners;
+  corners.clear();
   const auto add = [&](double x, double y) {
     const Vec2 p(x, -y);
-    if (polygon.empty() || polygon.back() != p) polygon.push_back(p);
+    if (corners.empty() || corners.back() != p) corners.push_back(p);
   };
   for (const OutlineSide* s = left.first; s != left.end; ++s)
     add(s->line.x0, s->line.y0), add(s->x1, s->line.y1);
@@ -291,7 +279,8 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r,
     --s;
     add(s->x1, s->line.y1), add(s->line.x0, s->line.y0);
   }
-  leave(r, work);
+  assign(work.polygon, corners);
+  leave(r, 1, work);
   return false;
 }
 
@@ -308,44 +297,67 @@ void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) 
   index.grid_of(body).over(region, work.faces, visit);
 }
 
+/// Sets the polygon to what of the loop lies above the receiver's plane, across the light. False
+/// when nothing does.
+bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) const {
+  const std::span<const Index> loop = whole.loop(l);
+  work.heights.clear();
+  bool above = false, below = false;
+  for (const Index v : loop) {
+    const double height = gap.at(whole.vertices[v]);
+    work.heights.push_back(height);
+    above |= height > 0, below |= height < 0;
+  }
+  if (!above) return false;
+  work.corners.clear();
+  for (const Index v : loop) work.corners.emplace_back(frame(whole.vertices[v]));
+  assign(work.polygon, work.corners);
+  if (!below) return true;
+  const auto crossing = [&](std::size_t i) {
+    std::size_t a = i, b = i + 1 == loop.size() ? 0 : i + 1;
+    if (work.polygon[i].t0 == 1) std::swap(a, b);
+    return gap.crossing(whole.vertices[loop[a]], whole.vertices[loop[b]], work.heights[a],
+                        work.heights[b]);
+  };
+  cut(work.polygon, work.heights, crossing, work.polygon_cut);
+  work.polygon.swap(work.polygon_cut);
+  return true;
+}
+
 void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Work& work) const {
   const CanonicalFace& f = whole.faces[g];
   if (f.plane == r.plane_id) return;
-  const bool turn = light.from_behind(g);
+  const FrontBody& body = light.bodies[f.body];
+  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light,
+                     glm::max(glm::abs(body.low), glm::abs(body.high)));
+  const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
   std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
-    work.loop.clear(), work.heights.clear();
-    bool above = false, below = false;
-    for (const Index v : whole.loop(l)) {
-      work.loop.push_back(whole.vertices[v]);
-      work.heights.push_back(height_over(r, f.body, v));
-      above |= work.heights.back() > 0, below |= work.heights.back() < 0;
-    }
-    if (!above) continue;
-    if (below) {
-      cut(work.loop, work.heights, work.loop_cut);
-      work.loop.swap(work.loop_cut);
-    }
-    work.polygon.clear();
-    for (const Vec3& p : work.loop) work.polygon.emplace_back(frame(p));
+    if (!take_above(l, gap, work)) continue;
     if (crossed) {
-      loops.push_back(work.polygon);
-      continue;
+      std::vector<Vec2>& loop = loops.emplace_back();
+      for (const SidePart& part : work.polygon) loop.push_back(part.from());
+    } else if (!separate(outline_of(r, work), work.polygon)) {
+      leave(r, turns_left ? 1 : -1, work);
     }
-    if (turn) std::reverse(work.polygon.begin(), work.polygon.end());
-    if (!separate(outline_of(r, work), work.polygon)) leave(r, work);
   }
   if (!crossed) return;
   for (const Trapezoid& part : even_odd(loops).parts) {
-    work.polygon.assign(part.begin(), part.end());
-    leave(r, work);
+    work.corners.assign(part.begin(), part.end());
+    assign(work.polygon, work.corners);
+    leave(r, 1, work);
   }
 }
 
 const std::vector<Vec2>& ShadowCaster::Impl::outline_of(const Receiver& r, Work& work) const {
   if (work.outline_known || r.body == kNone) return work.outline;
   const CanonicalFace& f = seen.faces[r.face];
-  if (f.end_loop - f.first_loop == 1) frame.convex_outline(seen, f, work.outline);
+  if (f.end_loop - f.first_loop == 1) {
+    for_each_vertex(f, [&](const Vec3& p) {
+      work.outline.emplace_back(frame(r.off_plane ? seen_on(r.plane, p) : p));
+    });
+    keep_if_convex(work.outline);
+  }
   work.outline_known = true;
   return work.outline;
 }
@@ -358,26 +370,32 @@ Vec3 ShadowCaster::Impl::lifted(const Receiver& r, const Vec2& p) const {
 /// Keeps what lies over the receiver, and far enough from the eye to be projected. Both cuts are
 /// made well outside of what is seen, so that the borders they close polygons with lie nowhere near
 /// the receiver's own edges.
-void ShadowCaster::Impl::leave(const Receiver& r, Work& work) const {
-  std::vector<Vec2>& polygon = work.polygon;
+void ShadowCaster::Impl::leave(const Receiver& r, int winding, Work& work) const {
+  ShadowPolygon& polygon = work.polygon;
   const auto keep = [&](const auto& height) {
     work.heights.clear();
     bool beyond = false;
-    for (const Vec2& p : polygon) {
-      work.heights.push_back(height(p));
+    for (const SidePart& part : polygon) {
+      work.heights.push_back(height(part.from()));
       beyond |= work.heights.back() < 0;
     }
     if (!beyond) return;
-    cut(polygon, work.heights, work.polygon_cut);
+    const auto crossing = [&](std::size_t i) {
+      const double a = height(polygon[i].a), b = height(polygon[i].b);
+      return a / (a - b);
+    };
+    cut(polygon, work.heights, crossing, work.polygon_cut);
     polygon.swap(work.polygon_cut);
   };
   if (r.body != kNone) {
     const Vec2 margin = (r.region.high - r.region.low) * 0.125;
     const Vec2 low = r.region.low - margin, high = r.region.high + margin;
-    keep([&](const Vec2& p) { return p.x - low.x; });
-    keep([&](const Vec2& p) { return high.x - p.x; });
-    keep([&](const Vec2& p) { return p.y - low.y; });
-    keep([&](const Vec2& p) { return high.y - p.y; });
+    LightRegion bounds;
+    for (const SidePart& part : polygon) bounds.add(part.from());
+    if (bounds.low.x < low.x) keep([&](const Vec2& p) { return p.x - low.x; });
+    if (bounds.high.x > high.x) keep([&](const Vec2& p) { return high.x - p.x; });
+    if (bounds.low.y < low.y) keep([&](const Vec2& p) { return p.y - low.y; });
+    if (bounds.high.y > high.y) keep([&](const Vec2& p) { return high.y - p.y; });
   }
   if (view.perspective) {
     const Plane& near = *view.near_plane;
@@ -385,10 +403,11 @@ void ShadowCaster::Impl::leave(const Receiver& r, Work& work) const {
     const double half_way = (near.offset + at_eye) / 2;
     keep([&](const Vec2& p) { return glm::dot(near.normal, lifted(r, p)) - half_way; });
   }
-  for (std::size_t i = 0; polygon.size() > 2 && i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    if (a != b) work.edges.push_back({a, b, 1});
+  for (SidePart part : polygon) {
+    const bool along = part.t0 < part.t1;
+    if (!along) std::swap(part.t0, part.t1);
+    if (part.t0 < part.t1 && part.a != part.b)
+      work.edges.push_back({part, along ? winding : -winding});
   }
 }
 
@@ -424,8 +443,9 @@ Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
     return shadow;
   }
   shadow.edges.reserve(work.edges.size());
-  for (const FlatShadowEdge& e : work.edges)
-    shadow.edges.push_back({lifted(r, e.a), lifted(r, e.b), e.winding});
+  for (const ShadowBorder& border : work.edges)
+    shadow.edges.push_back(
+        {lifted(r, border.part.from()), lifted(r, border.part.to()), border.winding});
   return shadow;
 }
 

@@ -50,6 +50,23 @@ TEST(UnitVector, IsExactAtQuarterTurns) {
   EXPECT_EQ(unit_vector({0, 30}).z, 0.5);
 }
 
+/// Also where what the camera looks at lies half way between two places that origins have.
+TEST(View, CountsFromNearWhatTheCameraLooksAtHoweverFarAway) {
+  constexpr double kSize = 8, kStep = 0x1p-20 * (2 * kSize);
+  for (const double far : {0.0, 1.0, 0x1p20, 0x1p30, -0x1p30}) {
+    for (const double beside : {0.0, kStep / 2, 1.5 * kStep}) {
+      Scene scene;
+      Body body;
+      body.shape = box(Vec3(kSize));
+      body.placement.offset = Vec3(far);
+      scene.bodies.push_back(body);
+      scene.camera.look_at = Vec3(far + beside, far, far - beside);
+      const Vec3 from = *scene.camera.look_at - make_view(scene, Grid{}).origin;
+      EXPECT_LE(glm::length(from), kStep) << far << " " << beside;
+    }
+  }
+}
+
 TEST(View, IsNishitaAndNakamaesProjection) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> u(-1, 1);
