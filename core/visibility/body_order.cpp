@@ -28,7 +28,9 @@ int lower_first(const FrontBody& lower, const FrontBody& upper, int axis, const 
 }  // namespace
 
 int order_of(const FrontBody& a, const FrontBody& b, const Vec4& eye) {
-  for (int axis = 0; axis < 3; ++axis) {
+  // Bounds are of vertices; what is seen lies on planes. Depths are the planes'.
+  const int axes = a.on_planes && b.on_planes ? 3 : 0;
+  for (int axis = 0; axis < axes; ++axis) {
     const bool a_lower = a.high[axis] <= b.low[axis];
     if (!a_lower && !(b.high[axis] <= a.low[axis])) continue;
     const FrontBody &lower = a_lower ? a : b, &upper = a_lower ? b : a;

@@ -1,4 +1,5 @@
 #include "core/visibility/canonical.h"
+#include "core/visibility/plane_rounding.h"
 
 #include <algorithm>
 #include <charconv>
@@ -352,7 +353,9 @@ class Assembler {
 Canonical canonicalize(const Scene& scene, const View& view, double chord_cells,
                        std::vector<Diagnostic>& warnings) {
   const FloatEnvironment ours;
-  return Assembler(scene, view, chord_cells, warnings).assemble();
+  Canonical canonical = Assembler(scene, view, chord_cells, warnings).assemble();
+  note_bodies_on_planes(canonical);
+  return canonical;
 }
 
 }  // namespace overstrike

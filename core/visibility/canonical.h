@@ -47,9 +47,10 @@ struct CanonicalBody {
   Index first_twin;  ///< in Canonical::twins: one per corner; copies share them
   /// Every edge has two faces and no face crosses itself: back faces cannot be seen from outside.
   bool closed;
-  bool smooth;  ///< shaded by corner normals
-  bool simple;  ///< known not to pass through itself: every shape but a mesh and a sweep
-  bool curved;  ///< its facets stand for a curved surface, to the tolerance
+  bool smooth;     ///< shaded by corner normals
+  bool simple;     ///< known not to pass through itself: every shape but a mesh and a sweep
+  bool on_planes;  ///< its vertices lie on its faces' planes but for rounding (plane_rounding.h)
+  bool curved;     ///< its facets stand for a curved surface, to the tolerance
   double density_factor;
   int pen;
   Index source;  ///< index into Scene::bodies

@@ -5,6 +5,7 @@
 
 #include "core/geometry/cut_polyhedron.h"
 #include "core/geometry/winged_edges.h"
+#include "core/visibility/plane_rounding.h"
 
 namespace overstrike {
 namespace {
@@ -277,7 +278,9 @@ bool needs_clip(const Canonical& canonical, const Plane& keep) {
 }
 
 Canonical clip(const Canonical& canonical, const Plane& keep) {
-  return Clipper(canonical, keep).clip();
+  Canonical clipped = Clipper(canonical, keep).clip();
+  note_bodies_on_planes(clipped);
+  return clipped;
 }
 
 }  // namespace overstrike

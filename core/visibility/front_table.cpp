@@ -167,20 +167,21 @@ void Builder::look_at_faces(Index number) {
       tone.density = shade.density;
       tone.smooth = is_smooth(f, behind, tone.density);
     }
-    if (table_.use == FrontUse::outlines) {
+    // A body that passes through itself may be inside out where it is cut: its cap looks to the
+    // eye, but turns the other way. So do thin faces that are off their planes.
+    if (f.cut || !body.on_planes || table_.use == FrontUse::outlines) {
       const double area = area_of(table_, i);
       front.turned |= behind ? area > 0 : area < 0;
     }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
-    // A body that passes through itself may be inside out where it is cut: its cap looks to the
-    // eye, but turns the other way.
-    walk = walk && walkable(f) && !(f.cut && area_of(table_, i) < 0);
+    walk = walk && walkable(f);
   }
   front.far_z = depths.low, front.near_z = depths.high;
   front.triangles = triangles;
-  front.simple = body.simple;
-  front.loose = front.seen && (!walk || (from_front && from_behind));
+  front.simple = body.simple, front.on_planes = body.on_planes;
+  const bool folds = front.turned && table_.use == FrontUse::picture;
+  front.loose = front.seen && (!walk || folds || (from_front && from_behind));
 }
 
 /// `beyond`: the seen face on the other side, or kNone.

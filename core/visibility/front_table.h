@@ -90,9 +90,11 @@ struct alignas(64) FrontBody {
   bool triangles : 1 = false;  ///< all its faces are
   /// Its outline is not one chain of sides on the left and one on the right.
   bool broken : 1 = false;
-  bool simple : 1 = false;  ///< known not to pass through itself
+  bool simple : 1 = false;    ///< known not to pass through itself
+  bool on_planes : 1 = true;  ///< CanonicalBody::on_planes
   /// A seen face's outline turns the other way than its plane says, as of needles whose vertices'
-  /// rounding is as large as they are thick. Looked for in views of outlines only.
+  /// rounding is as large as they are thick. Looked for where bodies are off their planes, and in
+  /// views of outlines.
   bool turned : 1 = false;
 
   Vec3 low, high;        ///< bounds in the world

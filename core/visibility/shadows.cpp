@@ -11,18 +11,13 @@
 #include "core/visibility/depth.h"
 #include "core/visibility/light_frame.h"
 #include "core/visibility/plane_gap.h"
+#include "core/visibility/plane_rounding.h"
 #include "core/visibility/shadow_border.h"
 
 namespace overstrike {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
-/// What a plane may be off its vertices, in parts of their coordinates: vertices are rounded three
-/// times over (shaped, placed, counted from the origin), and the offset is a rounded sum of rounded
-/// products, a normal's and a vertex's. Where it is farther off, the file's own rounding has bent
-/// the face, or welding has moved it.
-constexpr double kPlaneRounding = 16 * 0x1p-53;
 
 /// The plane of a receiver as the light sees it. A receiver is what the eye sees of it: its corners
 /// are where the eye sees its vertices on the plane.
