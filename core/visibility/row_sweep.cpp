@@ -8,6 +8,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// So many are laid out sooner than looked at for what is hidden.
+constexpr std::size_t kFewItems = 64;
+/// Of ends_, before those of the items: the level's own.
+constexpr std::size_t kLevelEnds = 2;
+
 /// Neighbours of one face become one piece.
 void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
   if (!pieces.empty() && pieces.back().x1 == piece.x0 && pieces.back().face == piece.face) {
@@ -29,7 +34,7 @@ SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads
       }) {}
 
 RowSweep::RowSweep(const SweepTable& table)
-    : table_(table), faces_(table.fronts), walker_(table.fronts) {}
+    : table_(table), faces_(table.fronts), walker_(table.fronts), cover_(table.fronts.columns) {}
 
 void RowSweep::resolve(double y, std::vector<SpanPiece>& pieces) {
   not_walkable_.clear();
@@ -54,6 +59,8 @@ bool RowSweep::plan_holds(double y) {
 
 void RowSweep::make_plan(double y) {
   collect(y);
+  // A plan for less than a line is made anew for the next one, and need not know what is hidden.
+  if (items_.size() > kFewItems && until_ - from_ < 1) drop_hidden();
   lay_out();
 }
 
@@ -175,6 +182,30 @@ void RowSweep::add_stretches(Index body, std::size_t first) {
     }
     first = end + 1;
   }
+}
+
+/// Takes out what lies behind a single front wherever it is. The depths that decide are those that
+/// order_of() compares, so that nothing is left out that would be seen.
+void RowSweep::drop_hidden() {
+  cover_.clear();
+  const auto body = [&](std::size_t item) -> const FrontBody& {
+    return table_.fronts.bodies[items_[item].body];
+  };
+  const auto ends = [&](std::size_t item) { return &ends_[kLevelEnds + 2 * item]; };
+  for (std::size_t i = 0; i < items_.size(); ++i)
+    cover_.cover(ends(i)[0].x, ends(i)[1].x, body(i).far_z);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (cover_.hides(ends(i)[0].x, ends(i)[1].x, body(i).near_z)) continue;
+    items_[kept] = items_[i];
+    for (std::size_t side = 0; side < 2; ++side) {
+      ends(kept)[side] = ends(i)[side];
+      ends(kept)[side].item = static_cast<Index>(kept);
+    }
+    ++kept;
+  }
+  if (kept != items_.size()) until_ = from_;
+  items_.resize(kept), ends_.resize(kLevelEnds + 2 * kept);
 }
 
 /// Goes over the ends from left to right and notes, between each two that differ, what is seen.

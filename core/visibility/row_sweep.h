@@ -14,6 +14,7 @@
 #include "core/visibility/face_order.h"
 #include "core/visibility/front_walk.h"
 #include "core/visibility/level_bands.h"
+#include "core/visibility/level_cover.h"
 #include "core/visibility/loose_edges.h"
 #include "core/visibility/span_split.h"
 
@@ -84,6 +85,7 @@ class RowSweep {
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
+  void drop_hidden();
   void lay_out();
   void choose();
   int order(Index a, Index b) const {
@@ -110,6 +112,7 @@ class RowSweep {
   std::vector<Segment> segments_;
   std::vector<Index> contenders_;
   // Of making a plan.
+  LevelCover cover_;
   std::vector<Index> not_walkable_;  ///< bodies whose front could not be walked on this level
   std::vector<Index> meeting_bodies_;
   std::vector<ItemEnd> ends_;
