@@ -60,9 +60,10 @@ class Welder {
  private:
   void measure() {
     const std::size_t n = samples_.size();
+    tilt_.resize(n), rank_.resize(n), by_rank_.resize(n), near_.resize(n);
+    // Last in memory, so that their place is free for the next.
     std::vector<double> slack(n);
     std::vector<std::pair<double, Index>> order(n);
-    tilt_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const PlaneFit& fit = samples_[i].fit;
       const Vec3 away = reference_ - fit.middle;
@@ -72,7 +73,6 @@ class Welder {
       if (tilt_[i] <= kSliverTilt) classes_.try_emplace(class_of(slack[i]), n);
     }
     std::sort(order.begin(), order.end());
-    by_rank_.resize(n), rank_.resize(n), near_.resize(n);
     for (std::size_t r = 0; r < n; ++r) {
       by_rank_[r] = order[r].second;
       near_[r] = {order[r].first, slack[order[r].second]};
@@ -90,12 +90,12 @@ class Welder {
       double area;
       Index rank;
     };
+    std::vector<Index> order(samples_.size());
     std::vector<Key> keys(samples_.size());
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = {samples_[i].fit.area, rank_[i]};
     std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
       return a.area != b.area ? a.area > b.area : a.rank < b.rank;
     });
-    std::vector<Index> order(keys.size());
     for (std::size_t first = 0, end; first < keys.size(); first = end) {
       const auto same = [&](std::size_t i) {
         return keys[i].area == keys[first].area &&
