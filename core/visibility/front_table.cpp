@@ -38,7 +38,8 @@ class Builder {
   bool walkable(const CanonicalFace& f) const;
   bool turned(const CanonicalFace& f) const;
   void add_side(const WingedEdge& edge, bool left_seen);
-  void add_small_side(const WingedEdge& edge);
+  void add_inner_side(const WingedEdge& edge);
+  void keep_small(FrontBody& front);
   void keep_outline(Index number);
   Index corner_of(Index face, Index vertex) const;
   void note_manifold_levels(Index number);
@@ -48,7 +49,7 @@ class Builder {
   const View& view_;
   Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
   std::vector<OutlineSide> left_, right_;
-  std::vector<SmallSide> all_;  ///< of a body in a picture, as long as they are few
+  std::vector<SmallSide> inner_;  ///< of a body in a picture, as long as they are few
 };
 
 // Each of x^, y^, w^ is a sum of four products, rounded by at most 2 eps sum |terms|; the quotient
@@ -183,16 +184,14 @@ Index Builder::corner_of(Index face, Index vertex) const {
   return kNone;
 }
 
-void Builder::add_small_side(const WingedEdge& edge) {
+void Builder::add_inner_side(const WingedEdge& edge) {
   const Vec2 &a = table_.points[edge.from], &b = table_.points[edge.to];
   if (a.y == b.y) return;
-  const Index left = table_.seen(edge.left) ? edge.left : kNone;
-  const Index right = table_.seen(edge.right) ? edge.right : kNone;
   // What goes down in a face's loop has the face on its right, when it is seen from its front.
   const bool down = a.y < b.y;
-  const bool ahead = down != table_.from_behind(left != kNone ? left : right);
-  all_.push_back(
-      {down ? LevelLine(a, b) : LevelLine(b, a), ahead ? right : left, ahead ? left : right});
+  const bool ahead = down != table_.from_behind(edge.left);
+  inner_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? edge.right : edge.left,
+                    ahead ? edge.left : edge.right});
 }
 
 void Builder::add_side(const WingedEdge& edge, bool left_seen) {
@@ -261,13 +260,9 @@ void Builder::keep_outline(Index number) {
   front.loose = front.loose || (!front.broken && crossed(left_, right_, front.line_error));
   if (front.loose) return;
   const bool low = front.bottom - front.top <= kFewLevels || number == table_.ground_body();
-  front.small = low && !front.broken && !all_.empty() && all_.size() <= kFewSides;
-  if (front.small) {
-    front.first_left = static_cast<Index>(table_.small_sides.size());
-    table_.small_sides.insert(table_.small_sides.end(), all_.begin(), all_.end());
-    front.end_left = static_cast<Index>(table_.small_sides.size());
-    return;
-  }
+  front.small = table_.use == FrontUse::picture && low && !front.broken && !left_.empty() &&
+                left_.size() + right_.size() + inner_.size() <= kFewSides;
+  if (front.small) return keep_small(front);
   const auto append = [&](const std::vector<OutlineSide>& sides, Index& first, Index& end) {
     first = static_cast<Index>(table_.outlines.size());
     table_.outlines.insert(table_.outlines.end(), sides.begin(), sides.end());
@@ -277,17 +272,28 @@ void Builder::keep_outline(Index number) {
   append(right_, front.first_right, front.end_right);
 }
 
+void Builder::keep_small(FrontBody& front) {
+  std::vector<SmallSide>& sides = table_.small_sides;
+  front.first_left = static_cast<Index>(sides.size());
+  for (const OutlineSide& s : left_) sides.push_back({s.line, kNone, s.side.face});
+  front.first_right = static_cast<Index>(sides.size());
+  for (const OutlineSide& s : right_) sides.push_back({s.line, s.side.face, kNone});
+  front.end_right = static_cast<Index>(sides.size());
+  sides.insert(sides.end(), inner_.begin(), inner_.end());
+  front.end_left = static_cast<Index>(sides.size());
+}
+
 void Builder::find_outline(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   const FrontBody& front = table_.bodies[number];
   if (!front.seen || front.loose) return;
-  left_.clear(), right_.clear(), all_.clear();
+  left_.clear(), right_.clear(), inner_.clear();
   const bool picture = table_.use == FrontUse::picture;
   for (Index e = body.first_edge; e < body.end_edge; ++e) {
     const WingedEdge& edge = c_.edges[e];
     const bool left = table_.seen(edge.left), right = table_.seen(edge.right);
     if (left != right) add_side(edge, left);
-    if ((left || right) && picture && all_.size() <= kFewSides) add_small_side(edge);
+    if (left && right && picture && inner_.size() <= kFewSides) add_inner_side(edge);
   }
   keep_outline(number);
 }
@@ -309,7 +315,7 @@ void Builder::add_ground() {
   const double reach = std::max(table_.columns, table_.rows) + 1;
   ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
   if (!is_seen) return;
-  left_.clear(), right_.clear(), all_.clear();
+  left_.clear(), right_.clear(), inner_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     if (a.y == b.y) continue;
@@ -317,8 +323,6 @@ void Builder::add_ground() {
     const Side side{kNone, table_.ground()};
     (down ? right_ : left_)
         .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
-    all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? table_.ground() : kNone,
-                    down ? kNone : table_.ground()});
   }
   keep_outline(number);
 }

@@ -80,9 +80,10 @@ struct SmallSide {
 struct alignas(64) FrontBody {
   double top = 0, bottom = 0;  ///< levels between which something is seen
   LineError line_error;
-  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0; of a small body
-                                               ///< all its sides, in FrontTable::small_sides
-  Index first_right = 0, end_right = 0;        ///< the same
+  /// In FrontTable::outlines, by y0. Of a small body in FrontTable::small_sides, the right chain
+  /// after the left one and the sides within after both, up to end_left.
+  Index first_left = 0, end_left = 0;
+  Index first_right = 0, end_right = 0;
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
   bool seen : 1 = false;
   bool loose : 1 = false;

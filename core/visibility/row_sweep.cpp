@@ -10,8 +10,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// So many are laid out sooner than looked at for what is hidden.
 constexpr std::size_t kFewItems = 64;
-/// Of ends_, before those of the items: the level's own.
-constexpr std::size_t kLevelEnds = 2;
 
 /// Neighbours of one face become one piece.
 void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
@@ -61,19 +59,16 @@ void RowSweep::make_plan(double y) {
   collect(y);
   // A plan for less than a line is made anew for the next one, and need not know what is hidden.
   if (items_.size() > kFewItems && until_ - from_ < 1) drop_hidden();
+  add_ends();
   lay_out();
 }
 
 void RowSweep::collect(double y) {
-  items_.clear(), sides_.clear(), ends_.clear();
+  items_.clear(), sides_.clear();
   const std::size_t band = table_.bodies.band(y);
   const auto [loose_from, loose_until] = table_.loose.levels_near(y);
   from_ = std::max(table_.bodies.low(band), loose_from);
   until_ = std::min(table_.bodies.high(band), loose_until);
-  const ItemEnd edge{0, kNone, false, {0, 0, 0, 0, false}};
-  ends_.push_back(edge);
-  ends_.push_back(edge);
-  ends_.back().x = ends_.back().event.x0 = table_.fronts.columns;
   meeting_bodies_.clear();
   for (const LevelBands::Item& item : table_.bodies[band]) {
     if (item.meets(y)) {
@@ -116,7 +111,7 @@ void RowSweep::fetch_ahead(std::size_t at) const {
   if (!near.small) return;
   const char* const sides =
       reinterpret_cast<const char*>(fronts.small_sides.data() + near.first_left);
-  const std::size_t size = (near.end_left - near.first_left) * sizeof(SmallSide);
+  const std::size_t size = (near.end_right - near.first_left) * sizeof(SmallSide);
   for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(sides + line);
 }
 
@@ -143,14 +138,7 @@ void RowSweep::collect_front(Index body, double y) {
     if (x0 - x1 > slack) collect_loose(body, y);
     return;
   }
-  const Index item = static_cast<Index>(items_.size());
-  items_.push_back({body, outline, kNone, kNone, kNone});
-  const auto end = [&](const LevelLine& line, double x, bool begins) {
-    const float slack = static_cast<float>(front.line_error.of(line));
-    return ItemEnd{x, item, begins, {line.x0, line.y0, line.slope, slack, false}};
-  };
-  ends_.push_back(end(left, x0, true));
-  ends_.push_back(end(right, x1, false));
+  items_.push_back({body, outline, kNone, kNone, kNone, x0, x1, front.near_z, front.far_z});
 }
 
 void RowSweep::collect_loose(Index number, double y) {
@@ -167,19 +155,20 @@ void RowSweep::collect_loose(Index number, double y) {
 }
 
 void RowSweep::add_stretches(Index body, std::size_t first) {
+  const FrontBody& front = table_.fronts.bodies[body];
   for (std::size_t end = first; end < sides_.size(); ++end) {
     if (sides_[end].face != kNone) continue;
     const RowSide &left = sides_[first], &right = sides_[end];
-    if (left.x < right.x) {
-      const Index item = static_cast<Index>(items_.size());
+    if (left.x < right.x)
       items_.push_back({body,
                         {},
                         static_cast<Index>(first),
                         static_cast<Index>(end + 1),
-                        static_cast<Index>(first)});
-      ends_.push_back({left.x, item, true, {left.x, 0, 0, left.slack, false}});
-      ends_.push_back({right.x, item, false, {right.x, 0, 0, right.slack, false}});
-    }
+                        static_cast<Index>(first),
+                        left.x,
+                        right.x,
+                        front.near_z,
+                        front.far_z});
     first = end + 1;
   }
 }
@@ -188,24 +177,26 @@ void RowSweep::add_stretches(Index body, std::size_t first) {
 /// order_of() compares, so that nothing is left out that would be seen.
 void RowSweep::drop_hidden() {
   cover_.clear();
-  const auto body = [&](std::size_t item) -> const FrontBody& {
-    return table_.fronts.bodies[items_[item].body];
-  };
-  const auto ends = [&](std::size_t item) { return &ends_[kLevelEnds + 2 * item]; };
-  for (std::size_t i = 0; i < items_.size(); ++i)
-    cover_.cover(ends(i)[0].x, ends(i)[1].x, body(i).far_z);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (cover_.hides(ends(i)[0].x, ends(i)[1].x, body(i).near_z)) continue;
-    items_[kept] = items_[i];
-    for (std::size_t side = 0; side < 2; ++side) {
-      ends(kept)[side] = ends(i)[side];
-      ends(kept)[side].item = static_cast<Index>(kept);
-    }
-    ++kept;
+  for (const Item& item : items_) cover_.cover(item.x0, item.x1, item.far);
+  const auto hidden = [&](const Item& item) { return cover_.hides(item.x0, item.x1, item.near); };
+  if (std::erase_if(items_, hidden) > 0) until_ = from_;
+}
+
+void RowSweep::add_ends() {
+  ends_.clear();
+  ends_.push_back({0, kNone, false, {0, 0, 0, 0, false}});
+  ends_.push_back({table_.fronts.columns, kNone, false, {table_.fronts.columns, 0, 0, 0, false}});
+  for (Index i = 0; i < items_.size(); ++i) {
+    const Item& item = items_[i];
+    const auto end = [&](const LevelLine* line, Index side, double x, bool begins) {
+      if (line == nullptr) return ItemEnd{x, i, begins, {x, 0, 0, sides_[side].slack, false}};
+      const LineError& error = table_.fronts.bodies[item.body].line_error;
+      const float slack = static_cast<float>(error.of(*line));
+      return ItemEnd{x, i, begins, {line->x0, line->y0, line->slope, slack, false}};
+    };
+    ends_.push_back(end(item.outline.left, item.first, item.x0, true));
+    ends_.push_back(end(item.outline.right, item.end - 1, item.x1, false));
   }
-  if (kept != items_.size()) until_ = from_;
-  items_.resize(kept), ends_.resize(kLevelEnds + 2 * kept);
 }
 
 /// Goes over the ends from left to right and notes, between each two that differ, what is seen.

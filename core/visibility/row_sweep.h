@@ -44,6 +44,8 @@ class RowSweep {
     Outline outline;   ///< of a front that is walked
     Index first, end;  ///< in sides_; first == kNone: not walked on this level yet
     Index at;          ///< the side that the sweep has reached
+    double x0, x1;     ///< on the level for which the plan was made
+    double near, far;  ///< its body's depths
   };
   /// Where something may change: a line, and whether it meets the level where the one before does.
   struct Event {
@@ -86,6 +88,7 @@ class RowSweep {
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
   void drop_hidden();
+  void add_ends();
   void lay_out();
   void choose();
   int order(Index a, Index b) const {
