@@ -37,11 +37,11 @@ class Builder {
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
   bool turned(const CanonicalFace& f) const;
-  void add_side(const WingedEdge& edge, bool left_seen);
-  void add_inner_side(const WingedEdge& edge);
+  void find_sides(const CanonicalBody& body, Index face);
+  void add_side(const Side& side, Index next);
+  void add_inner_side(const Side& side, Index next, Index other);
   void keep_small(FrontBody& front);
   void keep_outline(Index number);
-  Index corner_of(Index face, Index vertex) const;
   void note_manifold_levels(Index number);
 
   FrontTable& table_;
@@ -56,7 +56,7 @@ class Builder {
 // adds an eps. Bounded for all vertices of a body at once.
 void Builder::project(Index number) {
   const CanonicalBody& body = c_.bodies[number];
-  FrontBody& front = table_.bodies[number];
+  FrontBody& front = table_.bodies[number] = {};
   front.low = Vec3(kInfinity), front.high = Vec3(-kInfinity);
   double least_w = kInfinity;
   Vec2 most(0.0);
@@ -176,34 +176,44 @@ void Builder::look_at_faces(Index number) {
   front.loose = front.seen && (!walk || (from_front && from_behind));
 }
 
-Index Builder::corner_of(Index face, Index vertex) const {
-  const CanonicalFace& f = c_.faces[face];
-  const Index end = c_.loop_ends[f.end_loop - 1];
-  for (Index i = c_.first_corner(f.first_loop); i < end; ++i)
-    if (c_.corners[i] == vertex) return i;
-  return kNone;
-}
-
-void Builder::add_inner_side(const WingedEdge& edge) {
-  const Vec2 &a = table_.points[edge.from], &b = table_.points[edge.to];
+/// Between two seen faces.
+void Builder::add_inner_side(const Side& side, Index next, Index other) {
+  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
   if (a.y == b.y) return;
   // What goes down in a face's loop has the face on its right, when it is seen from its front.
   const bool down = a.y < b.y;
-  const bool ahead = down != table_.from_behind(edge.left);
-  inner_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? edge.right : edge.left,
-                    ahead ? edge.left : edge.right});
+  const bool ahead = down != table_.from_behind(side.face);
+  inner_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? other : side.face,
+                    ahead ? side.face : other});
 }
 
-void Builder::add_side(const WingedEdge& edge, bool left_seen) {
-  const Index from = left_seen ? edge.from : edge.to, to = left_seen ? edge.to : edge.from;
-  const Index face = left_seen ? edge.left : edge.right;
-  const Vec2 &a = table_.points[from], &b = table_.points[to];
+void Builder::add_side(const Side& side, Index next) {
+  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
   if (a.y == b.y) return;
-  const Side side{corner_of(face, from), face};
   const bool down = a.y < b.y;
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
-  (down != table_.from_behind(face) ? left_ : right_)
+  (down != table_.from_behind(side.face) ? left_ : right_)
       .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+}
+
+/// Of a seen face. Copies share their twins, so that these are nearer at hand than edges.
+void Builder::find_sides(const CanonicalBody& body, Index face) {
+  const CanonicalFace& f = c_.faces[face];
+  const Twin* const twins = c_.twins.data() + body.first_twin;
+  const signed char* const seen = table_.sides.data() + body.first_face;
+  const Index own = face - body.first_face;
+  const bool picture = table_.use == FrontUse::picture;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    const Index first = c_.first_corner(l), end = c_.loop_ends[l];
+    for (Index i = first; i < end; ++i) {
+      const Index other = twins[i - body.first_corner].face;
+      if (other == kNone || seen[other] == 0) {
+        add_side({i, face}, i + 1 == end ? first : i + 1);
+      } else if (own < other && picture && inner_.size() <= kFewSides) {
+        add_inner_side({i, face}, i + 1 == end ? first : i + 1, body.first_face + other);
+      }
+    }
+  }
 }
 
 /// Closed loops begin as often as they end, so that the beginnings tell for both.
@@ -288,13 +298,8 @@ void Builder::find_outline(Index number) {
   const FrontBody& front = table_.bodies[number];
   if (!front.seen || front.loose) return;
   left_.clear(), right_.clear(), inner_.clear();
-  const bool picture = table_.use == FrontUse::picture;
-  for (Index e = body.first_edge; e < body.end_edge; ++e) {
-    const WingedEdge& edge = c_.edges[e];
-    const bool left = table_.seen(edge.left), right = table_.seen(edge.right);
-    if (left != right) add_side(edge, left);
-    if (left && right && picture && inner_.size() <= kFewSides) add_inner_side(edge);
-  }
+  for (Index f = body.first_face; f < body.end_face; ++f)
+    if (table_.seen(f)) find_sides(body, f);
   keep_outline(number);
 }
 
@@ -307,7 +312,7 @@ void Builder::add_ground() {
   table_.tones[table_.ground()] = {0, kNone, Kind::lit, false};
   const bool is_seen = polygon.size() > 2;
   table_.sides[table_.ground()] = is_seen;
-  FrontBody& ground = table_.bodies[number];
+  FrontBody& ground = table_.bodies[number] = {};
   ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
   ground.near_z = kInfinity, ground.far_z = -kInfinity;
   ground.seen = is_seen;
@@ -357,9 +362,13 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
   for (Index b = 0; b < canonical.bodies.size(); ++b) {
     if (threads == 1) builder.look_at(b);
     builder.find_outline(b);
+    if (bodies[b].loose) loose.push_back(b);
   }
-  if (use == FrontUse::outlines) return;
-  builder.add_ground();
+  if (use == FrontUse::picture) {
+    builder.add_ground();
+  } else {
+    bodies[ground_body()] = {};
+  }
 }
 
 }  // namespace overstrike

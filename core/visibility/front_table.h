@@ -121,7 +121,8 @@ struct FrontTable {
   std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
                                    ///< (of open bodies), 0 not at all
   UnsetVector<FaceTone> tones;     ///< of the faces that are seen, for a picture
-  std::vector<FrontBody> bodies;
+  UnsetVector<FrontBody> bodies;
+  std::vector<Index> loose;  ///< the bodies that are
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
