@@ -42,7 +42,7 @@ class Welder {
     measure();
   }
 
-  WeldedPlanes weld(std::span<const std::pair<Index, Index>> neighbours) {
+  WeldedPlanes weld(const NeighbourPairs& neighbours) {
     std::vector<Index> slivers;
     for (const Index i : by_area()) {
       if (!(tilt_[i] <= kSliverTilt)) {
@@ -50,57 +50,67 @@ class Welder {
       } else {
         const Index found = search(i);
         group_[i] = found == kNoGroup ? add_group(i) : found;
-        if (found == kNoGroup) classes_.at(class_[i]).insert(rank_[i]);
+        if (found == kNoGroup) classes_.at(class_of(near_[rank_[i]].slack)).insert(rank_[i]);
       }
     }
-    join_slivers(slivers, neighbours);
+    if (!slivers.empty()) join_slivers(slivers, neighbours());
     return {std::move(group_), std::move(representative_)};
   }
 
  private:
   void measure() {
     const std::size_t n = samples_.size();
-    distance_.resize(n), slack_.resize(n), tilt_.resize(n), class_.resize(n);
+    tilt_.resize(n), rank_.resize(n), by_rank_.resize(n), near_.resize(n);
+    // Last in memory, so that their place is free for the next.
+    std::vector<double> slack(n);
+    std::vector<std::pair<double, Index>> order(n);
     for (std::size_t i = 0; i < n; ++i) {
       const PlaneFit& fit = samples_[i].fit;
       const Vec3 away = reference_ - fit.middle;
-      distance_[i] = std::fabs(glm::dot(fit.normal, away));
+      order[i] = {std::fabs(glm::dot(fit.normal, away)), static_cast<Index>(i)};
       tilt_[i] = fit.tilt(worst_error_);
-      slack_[i] = kSearchSlack * (worst_error_ + tilt_[i] * std::sqrt(glm::dot(away, away)));
-      class_[i] = slack_[i] > 0 ? std::ilogb(slack_[i]) >> 2 : -1000;
-      if (tilt_[i] <= kSliverTilt) classes_.try_emplace(class_[i], n);
+      slack[i] = kSearchSlack * (worst_error_ + tilt_[i] * std::sqrt(glm::dot(away, away)));
+      if (tilt_[i] <= kSliverTilt) classes_.try_emplace(class_of(slack[i]), n);
     }
-    std::vector<std::pair<double, Index>> order(n);
-    for (std::size_t i = 0; i < n; ++i) order[i] = {distance_[i], static_cast<Index>(i)};
     std::sort(order.begin(), order.end());
-    by_rank_.resize(n), rank_.resize(n), near_.resize(n);
     for (std::size_t r = 0; r < n; ++r) {
       by_rank_[r] = order[r].second;
-      near_[r] = {order[r].first, slack_[order[r].second]};
+      near_[r] = {order[r].first, slack[order[r].second]};
       rank_[order[r].second] = static_cast<Index>(r);
     }
   }
 
-  /// The largest first; ties by geometry, which the sort seldom has to fetch.
+  /// The magnitude, in powers of 16.
+  static int class_of(double slack) { return slack > 0 ? std::ilogb(slack) >> 2 : -1000; }
+
+  /// The largest first; ties by geometry. Ranks are in order of distance, so that the sort need not
+  /// fetch anything.
   std::vector<Index> by_area() const {
     struct Key {
-      double area, distance;
-      Index sample;
+      double area;
+      Index rank;
     };
+    std::vector<Index> order(samples_.size());
     std::vector<Key> keys(samples_.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      keys[i] = {samples_[i].fit.area, distance_[i], static_cast<Index>(i)};
-    const auto rest = [&](const Key& k) {
-      const PlaneFit& f = samples_[k.sample].fit;
-      return std::tuple(f.middle.x, f.middle.y, f.middle.z, f.normal.x, f.normal.y, f.normal.z);
-    };
-    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-      if (a.area != b.area) return a.area > b.area;
-      return a.distance != b.distance ? a.distance < b.distance : rest(a) < rest(b);
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = {samples_[i].fit.area, rank_[i]};
+    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+      return a.area != b.area ? a.area > b.area : a.rank < b.rank;
     });
-    std::vector<Index> order(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].sample;
+    for (std::size_t first = 0, end; first < keys.size(); first = end) {
+      const auto same = [&](std::size_t i) {
+        return keys[i].area == keys[first].area &&
+               near_[keys[i].rank].distance == near_[keys[first].rank].distance;
+      };
+      for (end = first + 1; end < keys.size() && same(end);) ++end;
+      for (std::size_t i = first; i < end; ++i) order[i] = by_rank_[keys[i].rank];
+      std::sort(order.begin() + first, order.begin() + end,
+                [&](Index a, Index b) { return rest(a) < rest(b); });
+    }
     return order;
+  }
+  std::tuple<double, double, double, double, double, double> rest(Index sample) const {
+    const PlaneFit& f = samples_[sample].fit;
+    return {f.middle.x, f.middle.y, f.middle.z, f.normal.x, f.normal.y, f.normal.z};
   }
 
   Index add_group(Index sample) {
@@ -131,22 +141,22 @@ class Welder {
   /// The group of the largest representative that it speaks for.
   Index search(Index sample) const {
     Index best = kNoGroup;
+    const Near own = near_[rank_[sample]];
     const auto consider = [&](std::size_t r) {
-      if (std::fabs(distance_[sample] - near_[r].distance) > slack_[sample] + near_[r].slack)
-        return;
+      if (std::fabs(own.distance - near_[r].distance) > own.slack + near_[r].slack) return;
       if (matches(sample, by_rank_[r])) best = std::min(best, group_[by_rank_[r]]);
     };
     for (const auto& [exponent, members] : classes_) {
-      const double reach = slack_[sample] + std::ldexp(1.0, 4 * (exponent + 1));
+      const double reach = own.slack + std::ldexp(1.0, 4 * (exponent + 1));
       for (std::size_t r = members.up(rank_[sample]); r != RankSet::kNothing;
            r = members.up(r + 1)) {
-        if (near_[r].distance - distance_[sample] > reach) break;
+        if (near_[r].distance - own.distance > reach) break;
         consider(r);
         if (r + 1 == by_rank_.size()) break;
       }
       for (std::size_t r = members.down(rank_[sample]); r != RankSet::kNothing;
            r = members.down(r - 1)) {
-        if (distance_[sample] - near_[r].distance > reach) break;
+        if (own.distance - near_[r].distance > reach) break;
         consider(r);
         if (r == 0) break;
       }
@@ -178,17 +188,15 @@ class Welder {
   std::span<const Index> corners_;
   Vec3 reference_{0.0};
   double worst_error_ = 0;
-  std::vector<double> distance_;  ///< of the reference point from the plane
-  std::vector<double> slack_;     ///< what rounding can do to it
   std::vector<double> tilt_;
-  std::vector<int> class_;   ///< slack_'s magnitude, in powers of 16
-  std::vector<Index> rank_;  ///< by distance
+  std::vector<Index> rank_;  ///< by the distance of the reference point from the plane
   std::vector<Index> by_rank_;
   struct Near {
-    double distance, slack;
+    double distance;
+    double slack;  ///< what rounding can do to it
   };
   std::vector<Near> near_;          ///< by rank, side by side for the search
-  std::map<int, RankSet> classes_;  ///< the ranks of representatives, by class
+  std::map<int, RankSet> classes_;  ///< the ranks of representatives, by their slack's class
   std::vector<Index> group_;
   std::vector<Index> representative_;
 };
@@ -196,8 +204,7 @@ class Welder {
 }  // namespace
 
 WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-                         std::span<const std::pair<Index, Index>> neighbours,
-                         std::span<const Index> corners) {
+                         const NeighbourPairs& neighbours, std::span<const Index> corners) {
   if (samples.empty()) return {};
   return Welder(samples, points, corners).weld(neighbours);
 }

@@ -10,6 +10,7 @@
 //   2. candidates: planes about as far from one reference point as the face's own plane
 //   3. |n x n'| within what the vertices' errors allow, then every vertex against the plane
 //   4. slivers, whose own plane says nothing, are tried against their neighbours' planes only
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ namespace overstrike {
 struct PlaneSample {
   PlaneFit fit;      ///< of the largest of the faces
   double error = 0;  ///< how far a vertex may be from where it was meant
-  std::size_t first_point = 0, end_point = 0;
+  Index first_point = 0, end_point = 0;
 };
 
 struct WeldedPlanes {
@@ -30,12 +31,13 @@ struct WeldedPlanes {
   std::vector<Index> representative;  ///< per group: the sample whose plane it is
 };
 
+/// Pairs of samples that share an edge; asked for only where there are slivers.
+using NeighbourPairs = std::function<std::vector<std::pair<Index, Index>>()>;
+
 /// Groups samples of one plane, whichever way they face. `points` holds the vertices of all
-/// samples, one after the other, or where `corners` says so their numbers in it; `neighbours` pairs
-/// of samples that share an edge. O(n log n) but for samples whose
-/// planes pass the reference point at one distance within rounding.
+/// samples, one after the other, or where `corners` says so their numbers in it. O(n log n) but for
+/// samples whose planes pass the reference point at one distance within rounding.
 WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-                         std::span<const std::pair<Index, Index>> neighbours,
-                         std::span<const Index> corners = {});
+                         const NeighbourPairs& neighbours, std::span<const Index> corners = {});
 
 }  // namespace overstrike

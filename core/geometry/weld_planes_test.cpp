@@ -18,11 +18,13 @@ struct Faces {
   void add(const std::vector<Vec3>& loop, double error) {
     PlaneFitter fitter;
     fitter.add(loop.size(), [&](std::size_t i) { return loop[i]; });
-    const std::size_t first = points.size();
+    const Index first = static_cast<Index>(points.size());
     points.insert(points.end(), loop.begin(), loop.end());
-    samples.push_back({fitter.fit(), error, first, points.size()});
+    samples.push_back({fitter.fit(), error, first, static_cast<Index>(points.size())});
   }
-  WeldedPlanes weld() const { return weld_planes(samples, points, {}); }
+  WeldedPlanes weld(const std::vector<std::pair<Index, Index>>& neighbours = {}) const {
+    return weld_planes(samples, points, [&] { return neighbours; });
+  }
 };
 
 class Turn {
@@ -113,8 +115,7 @@ TEST(WeldPlanes, ASliverJoinsItsNeighbour) {
   faces.add({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 1e-7);
   faces.add({{1, 0, 0}, {1.000001, 0.5, 5e-8}, {1, 1, 0}}, 1e-7);
   EXPECT_EQ(faces.weld().representative.size(), 2u);
-  const std::vector<std::pair<Index, Index>> neighbours{{0, 1}};
-  EXPECT_EQ(weld_planes(faces.samples, faces.points, neighbours).representative.size(), 1u);
+  EXPECT_EQ(faces.weld({{0, 1}}).representative.size(), 1u);
 }
 
 TEST(RankSet, FindsWhatASortedListFinds) {

@@ -52,10 +52,11 @@ class Builder {
   void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
-  void add_side(const Side& side, Index from, Index to);
-  void add_small_side(const Side& side, Index from, Index to, Index beyond);
+  void find_sides(const CanonicalBody& body, Index face);
+  void add_side(const Side& side, Index next);
+  void add_inner_side(const Side& side, Index next, Index other);
+  void keep_small(FrontBody& front);
   void keep_outline(Index number);
-  void add_sides(const CanonicalBody& body, Index face);
   void note_manifold_levels(Index number);
 
   FrontTable& table_;
@@ -63,15 +64,14 @@ class Builder {
   const View& view_;
   Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
   std::vector<OutlineSide> left_, right_;
-  std::vector<SmallSide> all_;  ///< of a body in a picture, as long as they are few
-  bool few_ = false;
+  std::vector<SmallSide> inner_;  ///< of a body in a picture, as long as they are few
 };
 
 // Each of x^, y^, w^ is a sum of four products, rounded by at most 2 eps sum |terms|; the quotient
 // adds an eps. Bounded for all vertices of a body at once.
 void Builder::project(Index number) {
   const CanonicalBody& body = c_.bodies[number];
-  FrontBody& front = table_.bodies[number];
+  FrontBody& front = table_.bodies[number] = {};
   front.low = Vec3(kInfinity), front.high = Vec3(-kInfinity);
   double least_w = kInfinity;
   Vec2 most(0.0);
@@ -184,20 +184,19 @@ void Builder::look_at_faces(Index number) {
   front.loose = front.seen && (!walk || folds || (from_front && from_behind));
 }
 
-/// `beyond`: the seen face on the other side, or kNone.
-void Builder::add_small_side(const Side& side, Index from, Index to, Index beyond) {
-  const Vec2 &a = table_.points[from], &b = table_.points[to];
+/// Between two seen faces.
+void Builder::add_inner_side(const Side& side, Index next, Index other) {
+  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
   if (a.y == b.y) return;
   // What goes down in a face's loop has the face on its right, when it is seen from its front.
   const bool down = a.y < b.y;
   const bool ahead = down != table_.from_behind(side.face);
-  all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? beyond : side.face,
-                  ahead ? side.face : beyond});
-  few_ = all_.size() <= kFewSides;
+  inner_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? other : side.face,
+                    ahead ? side.face : other});
 }
 
-void Builder::add_side(const Side& side, Index from, Index to) {
-  const Vec2 &a = table_.points[from], &b = table_.points[to];
+void Builder::add_side(const Side& side, Index next) {
+  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
   if (a.y == b.y) return;
   const bool down = a.y < b.y;
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
@@ -205,25 +204,23 @@ void Builder::add_side(const Side& side, Index from, Index to) {
       .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
 }
 
-/// The sides of a seen face that are outlines, and, of few, those that no earlier face had.
-void Builder::add_sides(const CanonicalBody& body, Index face) {
+/// Of a seen face. Copies share their twins, so that these are nearer at hand than edges.
+void Builder::find_sides(const CanonicalBody& body, Index face) {
   const CanonicalFace& f = c_.faces[face];
-  const Twin* const twins = c_.twins.data() + body.first_twin - body.first_corner;
-  const signed char* const sides = table_.sides.data() + body.first_face;
-  for (Index l = f.first_loop, first = c_.first_corner(l); l < f.end_loop; ++l) {
-    const Index end = c_.loop_ends[l];
-    for (Index corner = first; corner < end; ++corner) {
-      const Twin& twin = twins[corner];
-      const bool outline = twin.face == kNone || sides[twin.face] == 0;
-      const bool listed = few_ && (outline || corner < twin.corner + body.first_corner);
-      if (!outline && !listed) continue;
-      const Index from = c_.corners[corner],
-                  to = c_.corners[corner + 1 == end ? first : corner + 1];
-      if (outline) add_side({corner, face}, from, to);
-      if (listed)
-        add_small_side({corner, face}, from, to, outline ? kNone : twin.face + body.first_face);
+  const Twin* const twins = c_.twins.data() + body.first_twin;
+  const signed char* const seen = table_.sides.data() + body.first_face;
+  const Index own = face - body.first_face;
+  const bool picture = table_.use == FrontUse::picture;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    const Index first = c_.first_corner(l), end = c_.loop_ends[l];
+    for (Index i = first; i < end; ++i) {
+      const Index other = twins[i - body.first_corner].face;
+      if (other == kNone || seen[other] == 0) {
+        add_side({i, face}, i + 1 == end ? first : i + 1);
+      } else if (own < other && picture && inner_.size() <= kFewSides) {
+        add_inner_side({i, face}, i + 1 == end ? first : i + 1, body.first_face + other);
+      }
     }
-    first = end;
   }
 }
 
@@ -281,13 +278,9 @@ void Builder::keep_outline(Index number) {
   front.loose = front.loose || (!front.broken && crossed(left_, right_, front.line_error));
   if (front.loose) return;
   const bool low = front.bottom - front.top <= kFewLevels || number == table_.ground_body();
-  front.small = low && !front.broken && !all_.empty() && all_.size() <= kFewSides;
-  if (front.small) {
-    front.first_left = static_cast<Index>(table_.small_sides.size());
-    table_.small_sides.insert(table_.small_sides.end(), all_.begin(), all_.end());
-    front.end_left = static_cast<Index>(table_.small_sides.size());
-    return;
-  }
+  front.small = table_.use == FrontUse::picture && low && !front.broken && !left_.empty() &&
+                left_.size() + right_.size() + inner_.size() <= kFewSides;
+  if (front.small) return keep_small(front);
   const auto append = [&](const std::vector<OutlineSide>& sides, Index& first, Index& end) {
     first = static_cast<Index>(table_.outlines.size());
     table_.outlines.insert(table_.outlines.end(), sides.begin(), sides.end());
@@ -297,14 +290,24 @@ void Builder::keep_outline(Index number) {
   append(right_, front.first_right, front.end_right);
 }
 
+void Builder::keep_small(FrontBody& front) {
+  std::vector<SmallSide>& sides = table_.small_sides;
+  front.first_left = static_cast<Index>(sides.size());
+  for (const OutlineSide& s : left_) sides.push_back({s.line, kNone, s.side.face});
+  front.first_right = static_cast<Index>(sides.size());
+  for (const OutlineSide& s : right_) sides.push_back({s.line, s.side.face, kNone});
+  front.end_right = static_cast<Index>(sides.size());
+  sides.insert(sides.end(), inner_.begin(), inner_.end());
+  front.end_left = static_cast<Index>(sides.size());
+}
+
 void Builder::find_outline(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   const FrontBody& front = table_.bodies[number];
   if (!front.seen || front.loose) return;
-  left_.clear(), right_.clear(), all_.clear();
-  few_ = table_.use == FrontUse::picture;
+  left_.clear(), right_.clear(), inner_.clear();
   for (Index f = body.first_face; f < body.end_face; ++f)
-    if (table_.seen(f)) add_sides(body, f);
+    if (table_.seen(f)) find_sides(body, f);
   keep_outline(number);
 }
 
@@ -317,7 +320,7 @@ void Builder::add_ground() {
   table_.tones[table_.ground()] = {0, kNone, Kind::lit, false};
   const bool is_seen = polygon.size() > 2;
   table_.sides[table_.ground()] = is_seen;
-  FrontBody& ground = table_.bodies[number];
+  FrontBody& ground = table_.bodies[number] = {};
   ground.low = Vec3(-kInfinity), ground.high = Vec3(kInfinity, kInfinity, c_.ground_z.value_or(0));
   ground.near_z = kInfinity, ground.far_z = -kInfinity;
   ground.seen = is_seen;
@@ -325,7 +328,7 @@ void Builder::add_ground() {
   const double reach = std::max(table_.columns, table_.rows) + 1;
   ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
   if (!is_seen) return;
-  left_.clear(), right_.clear(), all_.clear();
+  left_.clear(), right_.clear(), inner_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     if (a.y == b.y) continue;
@@ -333,8 +336,6 @@ void Builder::add_ground() {
     const Side side{kNone, table_.ground()};
     (down ? right_ : left_)
         .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
-    all_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? table_.ground() : kNone,
-                    down ? kNone : table_.ground()});
   }
   keep_outline(number);
 }
@@ -369,9 +370,13 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
   for (Index b = 0; b < canonical.bodies.size(); ++b) {
     if (threads == 1) builder.look_at(b);
     builder.find_outline(b);
+    if (bodies[b].loose) loose.push_back(b);
   }
-  if (use == FrontUse::outlines) return;
-  builder.add_ground();
+  if (use == FrontUse::picture) {
+    builder.add_ground();
+  } else {
+    bodies[ground_body()] = {};
+  }
 }
 
 }  // namespace overstrike

@@ -80,9 +80,10 @@ struct SmallSide {
 struct alignas(64) FrontBody {
   double top = 0, bottom = 0;  ///< levels between which something is seen
   LineError line_error;
-  Index first_left = 0, end_left = 0;          ///< in FrontTable::outlines, by y0; of a small body
-                                               ///< all its sides, in FrontTable::small_sides
-  Index first_right = 0, end_right = 0;        ///< the same
+  /// In FrontTable::outlines, by y0. Of a small body in FrontTable::small_sides, the right chain
+  /// after the left one and the sides within after both, up to end_left.
+  Index first_left = 0, end_left = 0;
+  Index first_right = 0, end_right = 0;
   Index first_manifold = 0, end_manifold = 0;  ///< in FrontTable::manifold
   bool seen : 1 = false;
   bool loose : 1 = false;
@@ -125,7 +126,8 @@ struct FrontTable {
   std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
                                    ///< (of open bodies), 0 not at all
   UnsetVector<FaceTone> tones;     ///< of the faces that are seen, for a picture
-  std::vector<FrontBody> bodies;
+  UnsetVector<FrontBody> bodies;
+  std::vector<Index> loose;  ///< the bodies that are
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose

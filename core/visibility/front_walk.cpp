@@ -26,15 +26,18 @@ void FrontWalker::seek(Index& cursor, Index first, Index end, double y) const {
   if (cursor > first) --cursor;
 }
 
+/// The side of an unbroken chain that meets the level, or null.
+const LevelLine* FrontWalker::chain_at(Index first, Index end, double y) const {
+  while (first < end && table_.small_sides[first].line.y1 <= y) ++first;
+  if (first == end || y < table_.small_sides[first].line.y0) return nullptr;
+  return &table_.small_sides[first].line;
+}
+
 Outline FrontWalker::small_outline(const FrontBody& front, double y) const {
   Outline outline;
-  for (Index i = front.first_left; i < front.end_left; ++i) {
-    const SmallSide& s = table_.small_sides[i];
-    if (!(s.line.y0 <= y && y < s.line.y1)) continue;
-    if (s.left == kNone) outline.left = &s.line;
-    if (s.right == kNone) outline.right = &s.line;
-  }
-  if (outline.left != nullptr) outline.kind = Outline::Kind::one;
+  outline.left = chain_at(front.first_left, front.first_right, y);
+  outline.right = chain_at(front.first_right, front.end_right, y);
+  if (outline.left != nullptr && outline.right != nullptr) outline.kind = Outline::Kind::one;
   return outline;
 }
 

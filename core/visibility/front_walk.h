@@ -58,6 +58,7 @@ class FrontWalker {
   struct Cursor {
     Index left = 0, right = 0;
   };
+  const LevelLine* chain_at(Index first, Index end, double y) const;
   Outline small_outline(const FrontBody& front, double y) const;
   bool list_small(const FrontBody& front, double y);
   bool walk(Index body, double y, const Outline& outline, Front& front);

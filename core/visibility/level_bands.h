@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/geometry/polyhedron.h"
+#include "core/unset_vector.h"
 
 namespace overstrike {
 
@@ -18,16 +19,19 @@ class LevelBands {
   };
   /// `at(i)` gives the levels {low, high} of thing i; low > high: it is nowhere.
   template <class At>
-  LevelBands(double levels, std::size_t count, const At& at)
-      : height_(height(levels, count, at)),
-        start_(2 + static_cast<std::size_t>(levels > 0 ? levels / height_ : 0), 0) {
+  LevelBands(double levels, std::size_t count, const At& at) {
+    // Each is asked once: what it is read from may be far larger than its levels.
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [low, high] = at(i);
+      if (low <= high && high >= 0 && low <= levels)
+        items.push_back({low, high, static_cast<Index>(i)});
+    }
+    height_ = height(items);
+    start_.resize(2 + static_cast<std::size_t>(levels > 0 ? levels / height_ : 0), 0);
     const auto each = [&](const auto& visit) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto [low, high] = at(i);
-        if (!(low <= high) || high < 0 || low > levels) continue;
-        for (std::size_t b = band(low), last = band(high); b <= last; ++b)
-          visit(b, Item{low, high, static_cast<Index>(i)});
-      }
+      for (const Item& item : items)
+        for (std::size_t b = band(item.low), last = band(item.high); b <= last; ++b) visit(b, item);
     };
     each([&](std::size_t b, const Item&) { ++start_[b + 1]; });
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
@@ -56,22 +60,17 @@ class LevelBands {
  private:
   static constexpr double kEndless = 1e300;
   /// A power of two, so that division by it is exact.
-  template <class At>
-  static double height(double levels, std::size_t count, const At& at) {
+  static double height(const std::vector<Item>& items) {
     double sum = 0, number = 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto [low, high] = at(i);
-      if (!(low <= high) || high < 0 || low > levels) continue;
-      sum += high - low, ++number;
-    }
+    for (const Item& item : items) sum += item.high - item.low, ++number;
     constexpr double kLeast = 1, kMost = 16;
     double height = kLeast;
     while (height < kMost && height < sum / number) height *= 2;
     return height;
   }
-  double height_;
+  double height_ = 1;
   std::vector<std::size_t> start_;
-  std::vector<Item> items_;
+  UnsetVector<Item> items_;
 };
 
 }  // namespace overstrike

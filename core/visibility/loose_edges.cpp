@@ -8,8 +8,7 @@ namespace {
 std::vector<LooseEdge> edges_of(const FrontTable& table) {
   std::vector<LooseEdge> edges;
   LooseEdge edge;
-  for (Index b = 0; b < table.canonical.bodies.size(); ++b) {
-    if (!table.bodies[b].loose) continue;
+  for (const Index b : table.loose) {
     const CanonicalBody& body = table.canonical.bodies[b];
     for (Index e = body.first_edge; e < body.end_edge; ++e)
       if (to_loose_edge(table, table.canonical.edges[e], b, edge)) edges.push_back(edge);

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// So many are laid out sooner than looked at for what is hidden.
+constexpr std::size_t kFewItems = 64;
+
 }  // namespace
 
 SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads)
@@ -70,19 +73,18 @@ void RowPlanner::make(double y, std::span<const Index> not_walkable, RowPlan& pl
                       std::vector<RowSide>& sides, std::vector<double>& event_x) {
   plan_ = &plan, not_walkable_ = not_walkable, sides_ = &sides;
   collect(y);
+  // A plan for less than a line is made anew for the next one, and need not know what is hidden.
+  if (plan_->items.size() > kFewItems && plan_->until - plan_->from < 1) drop_hidden();
+  add_ends();
   lay_out(event_x);
 }
 
 void RowPlanner::collect(double y) {
-  plan_->items.clear(), sides_->clear(), ends_.clear();
+  plan_->items.clear(), sides_->clear();
   const std::size_t band = table_.bodies.band(y);
   const auto [loose_from, loose_until] = table_.loose.levels_near(y);
   plan_->from = std::max(table_.bodies.low(band), loose_from);
   plan_->until = std::min(table_.bodies.high(band), loose_until);
-  const ItemEnd edge{0, kNone, false, {0, 0, kInfinity, 0, 0}};
-  ends_.push_back(edge);
-  ends_.push_back(edge);
-  ends_.back().x = ends_.back().line.x0 = table_.fronts.columns;
   meeting_bodies_.clear();
   for (const LevelBands::Item& item : table_.bodies[band]) {
     if (item.meets(y)) {
@@ -125,7 +127,7 @@ void RowPlanner::fetch_ahead(std::size_t at) const {
   if (!near.small) return;
   const char* const sides =
       reinterpret_cast<const char*>(fronts.small_sides.data() + near.first_left);
-  const std::size_t size = (near.end_left - near.first_left) * sizeof(SmallSide);
+  const std::size_t size = (near.end_right - near.first_left) * sizeof(SmallSide);
   for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(sides + line);
 }
 
@@ -152,14 +154,7 @@ void RowPlanner::collect_front(Index body, double y) {
     if (x0 - x1 > slack) collect_loose(body, y);
     return;
   }
-  const Index item = static_cast<Index>(plan_->items.size());
-  plan_->items.push_back({body, outline, kNone, kNone, kNone});
-  const auto end = [&](const LevelLine& line, double x, bool begins) {
-    const float slack = static_cast<float>(front.line_error.of(line));
-    return ItemEnd{x, item, begins, {line.x0, line.y0, line.y1, line.slope, slack}};
-  };
-  ends_.push_back(end(left, x0, true));
-  ends_.push_back(end(right, x1, false));
+  plan_->items.push_back({body, outline, kNone, kNone, kNone, x0, x1, front.near_z, front.far_z});
 }
 
 void RowPlanner::collect_loose(Index number, double y) {
@@ -176,20 +171,44 @@ void RowPlanner::collect_loose(Index number, double y) {
 }
 
 void RowPlanner::add_stretches(Index body, std::size_t first) {
+  const FrontBody& front = table_.fronts.bodies[body];
   for (std::size_t end = first; end < sides_->size(); ++end) {
     if ((*sides_)[end].face != kNone) continue;
-    const RowSide &left = (*sides_)[first], &right = (*sides_)[end];
-    if (left.x < right.x) {
-      const Index item = static_cast<Index>(plan_->items.size());
-      plan_->items.push_back({body,
-                              {},
-                              static_cast<Index>(first),
-                              static_cast<Index>(end + 1),
-                              static_cast<Index>(first)});
-      ends_.push_back({left.x, item, true, {left.x, 0, -kInfinity, 0, left.slack}});
-      ends_.push_back({right.x, item, false, {right.x, 0, -kInfinity, 0, right.slack}});
-    }
+    const double x0 = (*sides_)[first].x, x1 = (*sides_)[end].x;
+    const auto from = static_cast<Index>(first), to = static_cast<Index>(end + 1);
+    if (x0 < x1)
+      plan_->items.push_back({body, {}, from, to, from, x0, x1, front.near_z, front.far_z});
     first = end + 1;
+  }
+}
+
+/// Takes out what lies behind a single front wherever it is. The depths that decide are those that
+/// order_of() compares, so that nothing is left out that would be seen.
+void RowPlanner::drop_hidden() {
+  cover_.clear();
+  for (const RowPlan::Item& item : plan_->items) cover_.cover(item.x0, item.x1, item.far);
+  const auto hidden = [&](const RowPlan::Item& item) {
+    return cover_.hides(item.x0, item.x1, item.near);
+  };
+  if (std::erase_if(plan_->items, hidden) > 0) plan_->until = plan_->from;
+}
+
+void RowPlanner::add_ends() {
+  const double columns = table_.fronts.columns;
+  ends_.clear();
+  ends_.push_back({0, kNone, false, {0, 0, kInfinity, 0, 0}});
+  ends_.push_back({columns, kNone, false, {columns, 0, kInfinity, 0, 0}});
+  for (Index i = 0; i < plan_->items.size(); ++i) {
+    const RowPlan::Item& item = plan_->items[i];
+    const auto end = [&](const LevelLine* line, Index side, double x, bool begins) {
+      if (line == nullptr)
+        return ItemEnd{x, i, begins, {x, 0, -kInfinity, 0, (*sides_)[side].slack}};
+      const LineError& error = table_.fronts.bodies[item.body].line_error;
+      const float slack = static_cast<float>(error.of(*line));
+      return ItemEnd{x, i, begins, {line->x0, line->y0, line->y1, line->slope, slack}};
+    };
+    ends_.push_back(end(item.outline.left, item.first, item.x0, true));
+    ends_.push_back(end(item.outline.right, item.end - 1, item.x1, false));
   }
 }
 

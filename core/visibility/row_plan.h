@@ -11,6 +11,7 @@
 #include "core/visibility/front_walk.h"
 #include "core/visibility/kept_stretch.h"
 #include "core/visibility/level_bands.h"
+#include "core/visibility/level_cover.h"
 #include "core/visibility/loose_edges.h"
 
 namespace overstrike {
@@ -32,6 +33,8 @@ struct RowPlan {
     Outline outline;           ///< of a front that is walked
     Index first = kNone, end;  ///< its sides on the level in hand; kNone: not walked yet
     Index at;                  ///< the side that the sweep has reached
+    double x0, x1;             ///< where it begins and ends on the level that the plan was made for
+    double near, far;          ///< of the body's depths
   };
   /// Where something may change: a line, and whether it meets the level where the one before does.
   struct Event {
@@ -77,7 +80,7 @@ struct RowPlan {
 class RowPlanner {
  public:
   RowPlanner(const SweepTable& table, const FaceOrder& faces, FrontWalker& walker)
-      : table_(table), faces_(faces), walker_(walker) {}
+      : table_(table), faces_(faces), walker_(walker), cover_(table.fronts.columns) {}
 
   /// The plan of a level. Bodies that have no front there, and those of `not_walkable`, are
   /// resolved by their edges; their sides are left in `sides`, and the plan does not last.
@@ -96,6 +99,8 @@ class RowPlanner {
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void add_stretches(Index body, std::size_t first);
+  void drop_hidden();
+  void add_ends();
   void lay_out(std::vector<double>& event_x);
   void choose();
   int order(Index a, Index b) const;
@@ -108,6 +113,7 @@ class RowPlanner {
   RowPlan* plan_ = nullptr;
   std::span<const Index> not_walkable_;
   std::vector<RowSide>* sides_ = nullptr;
+  LevelCover cover_;
   std::vector<Index> meeting_bodies_;
   std::vector<ItemEnd> ends_;
   std::vector<std::pair<double, Index>> by_x_;  ///< of ends_
