@@ -8,6 +8,29 @@
 #include "core/visibility/ground_polygon.h"
 
 namespace overstrike {
+
+namespace {
+
+/// Twice the area of a triangle that turns as faces do in the grid.
+double area_of(const Vec2& p, const Vec2& q, const Vec2& r) {
+  return (q.y - p.y) * (r.x - p.x) - (q.x - p.x) * (r.y - p.y);
+}
+
+}  // namespace
+
+double area_of(const FrontTable& table, Index face) {
+  const Canonical& c = table.canonical;
+  const CanonicalFace& f = c.faces[face];
+  double area = 0;
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    const std::span<const Index> loop = c.loop(l);
+    const Vec2& base = table.points[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+      area += area_of(base, table.points[loop[i]], table.points[loop[i + 1]]);
+  }
+  return area;
+}
+
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
@@ -36,7 +59,6 @@ class Builder {
   void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool walkable(const CanonicalFace& f) const;
-  bool turned(const CanonicalFace& f) const;
   void add_side(const WingedEdge& edge, bool left_seen);
   void add_small_side(const WingedEdge& edge);
   void keep_outline(Index number);
@@ -126,21 +148,6 @@ bool Builder::walkable(const CanonicalFace& f) const {
   return turns <= 2;
 }
 
-/// A body that passes through itself may be inside out where it is cut: its cap looks to the eye,
-/// but turns the other way.
-bool Builder::turned(const CanonicalFace& f) const {
-  double area = 0;
-  for (Index l = f.first_loop; l < f.end_loop; ++l) {
-    const std::span<const Index> loop = c_.loop(l);
-    const Vec2& base = table_.points[loop[0]];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vec2 a = table_.points[loop[i]] - base, b = table_.points[loop[i + 1]] - base;
-      area += a.x * b.y - a.y * b.x;
-    }
-  }
-  return area > 0;
-}
-
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
@@ -166,9 +173,17 @@ void Builder::look_at_faces(Index number) {
       tone.density = shade.density;
       tone.smooth = is_smooth(f, behind, tone.density);
     }
+    if (table_.use == FrontUse::outlines) {
+      const auto point = [&](Index j) { return table_.points[c_.corners[first + j]]; };
+      const double area =
+          end - first == 3 ? area_of(point(0), point(1), point(2)) : area_of(table_, i);
+      front.turned |= behind ? area > 0 : area < 0;
+    }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
-    walk = walk && walkable(f) && !(f.cut && turned(f));
+    // A body that passes through itself may be inside out where it is cut: its cap looks to the
+    // eye, but turns the other way.
+    walk = walk && walkable(f) && !(f.cut && area_of(table_, i) < 0);
   }
   front.triangles = triangles;
   front.simple = body.simple;

@@ -91,6 +91,9 @@ struct alignas(64) FrontBody {
   /// Its outline is not one chain of sides on the left and one on the right.
   bool broken : 1 = false;
   bool simple : 1 = false;  ///< known not to pass through itself
+  /// A seen face's outline turns the other way than its plane says, as of needles whose vertices'
+  /// rounding is as large as they are thick. Looked for in views of outlines only.
+  bool turned : 1 = false;
 
   Vec3 low, high;        ///< bounds in the world
   double near_z, far_z;  ///< of the depths of the seen faces
@@ -137,5 +140,9 @@ struct FrontTable {
                             : canonical.faces[face].plane;
   }
 };
+
+/// Twice the area of a face in the grid: positive where its loops run as those of a face do that is
+/// seen from its front.
+double area_of(const FrontTable& table, Index face);
 
 }  // namespace overstrike

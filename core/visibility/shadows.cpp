@@ -101,12 +101,14 @@ struct ShadowCaster::Impl {
   bool cast_body(Index body, const Receiver& r, Work& work) const;
   bool leave_outline(const FrontBody& body, const Receiver& r, Work& work) const;
   void leave_faces(Index body, const Receiver& r, Work& work) const;
-  void leave_face(Index face, bool crossed, const Receiver& r, Work& work) const;
+  void leave_face(Index face, const Receiver& r, Work& work) const;
+  void leave_crossed(Index face, const Receiver& r, Work& work) const;
   bool take_above(Index loop, const PlaneGap& gap, Work& work) const;
   void leave(const Receiver& r, int winding, Work& work) const;
   const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
   Vec3 lifted(const Receiver& r, const Vec2& p) const;
-  bool walked(const FrontBody& body) const { return !body.loose && !body.broken; }
+  bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
+  bool is_above_ground(Index body, const Plane& ground) const;
 
   const Canonical& whole;
   const Canonical& seen;
@@ -127,18 +129,22 @@ std::optional<Receiver> ShadowCaster::Impl::receiver_of(Index face) const {
   r.plane_id = f.plane;
   r.plane = seen.planes[f.plane];
   r.along_light = along(r.plane, frame.light);
-  double size = std::fabs(r.plane.offset), off = 0;
+  double size = 0, off = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  const auto add = [&](const Vec3& q) {
+    r.region.add(Vec2(q));
+    low = std::min(low, q.z), high = std::max(high, q.z);
+  };
   for_each_vertex(f, [&](const Vec3& p) {
     off = std::max(off, std::fabs(glm::dot(r.plane.normal, p) - r.plane.offset));
     size = std::max(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+    add(frame(p));
   });
+  size += std::fabs(r.plane.offset);
   r.off_plane = off > kPlaneRounding * size;
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for_each_vertex(f, [&](const Vec3& p) {
-    const Vec3 q = frame(r.off_plane ? seen_on(r.plane, p) : p);
-    r.region.add(Vec2(q));
-    low = std::min(low, q.z), high = std::max(high, q.z);
-  });
+  if (r.off_plane) {
+    r.region = {}, low = HUGE_VAL, high = -HUGE_VAL;
+    for_each_vertex(f, [&](const Vec3& p) { add(frame(seen_on(r.plane, p))); });
+  }
   // The plane passes its vertices by at `off` / |n . L|. What was rounded: two sums of products of
   // at most `size` and twice that, and n . L, whose part of itself is as much of the quotient.
   constexpr double kError = 4 * 0x1p-52;
@@ -205,10 +211,41 @@ bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) 
     if (r.off_plane) leave_faces(number, r, work);
     return false;
   }
-  const bool above = r.body == kNone ? body.low.z >= r.plane.offset : body.far_z >= r.high_z;
+  const bool above = r.body == kNone ? is_above_ground(number, r.plane) : body.far_z >= r.high_z;
   if (above) return leave_outline(body, r, work);
   leave_faces(number, r, work);
   return false;
+}
+
+/// Bounds what the sizes of a vertex' coordinates add up to.
+double reach_of(const FrontBody& body) {
+  const Vec3 reach = glm::max(glm::abs(body.low), glm::abs(body.high));
+  return reach.x + reach.y + reach.z;
+}
+
+/// Whether nothing of the body's seen faces would be cut off by the ground, but for what is thinner
+/// than the rounding of their corners. Faces' planes may lie below their vertices, as far as they
+/// are off them; not by as much as this part of the body's height, but for faces that graze the
+/// light so that they cast next to nothing.
+bool ShadowCaster::Impl::is_above_ground(Index number, const Plane& ground) const {
+  constexpr double kFarAbove = 0x1p-10;
+  const FrontBody& front = light.bodies[number];
+  if (front.low.z < ground.offset) return false;
+  if (front.low.z - ground.offset >= kFarAbove * (front.high.z - front.low.z)) return true;
+  const double reach = reach_of(front);
+  const CanonicalBody& body = whole.bodies[number];
+  for (Index f = body.first_face; f < body.end_face; ++f) {
+    if (!light.seen(f)) continue;
+    const PlaneGap gap(whole.planes[whole.faces[f].plane], ground, frame.light, reach);
+    double least = 0, most = 0;
+    for (Index i = whole.first_corner(whole.faces[f].first_loop);
+         i < whole.first_corner(whole.faces[f].end_loop); ++i) {
+      const double at = gap.at(whole.vertices[whole.corners[i]]);
+      least = std::min(least, at), most = std::max(most, at);
+    }
+    if (least < -kPlaneRounding * most) return false;
+  }
+  return true;
 }
 
 /// The sides of the outline between the receiver's levels, down on the left and up on the right.
@@ -261,7 +298,9 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r,
 void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) const {
   const std::vector<Index>& faces = index.faces_of(body);
   const std::vector<char>& crossed = index.crossed(body);
-  const auto visit = [&](Index i) { leave_face(faces[i], crossed[i] != 0, r, work); };
+  const auto visit = [&](Index i) {
+    crossed[i] != 0 ? leave_crossed(faces[i], r, work) : leave_face(faces[i], r, work);
+  };
   if (r.body == kNone) {
     for (Index i = 0; i < faces.size(); ++i) visit(i);
     return;
@@ -275,11 +314,10 @@ void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) 
 /// when nothing does.
 bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) const {
   const std::span<const Index> loop = whole.loop(l);
-  work.heights.clear();
+  work.heights.resize(loop.size());
   bool above = false, below = false;
-  for (const Index v : loop) {
-    const double height = gap.at(whole.vertices[v]);
-    work.heights.push_back(height);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double height = work.heights[i] = gap.at(whole.vertices[loop[i]]);
     above |= height > 0, below |= height < 0;
   }
   if (!above) return false;
@@ -298,23 +336,29 @@ bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) co
   return true;
 }
 
-void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Work& work) const {
+void ShadowCaster::Impl::leave_face(Index g, const Receiver& r, Work& work) const {
   const CanonicalFace& f = whole.faces[g];
   if (f.plane == r.plane_id) return;
   const FrontBody& body = light.bodies[f.body];
-  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light,
-                     glm::max(glm::abs(body.low), glm::abs(body.high)));
+  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(body));
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    if (!take_above(l, gap, work) || separate(outline_of(r, work), work.polygon)) continue;
+    const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
+    leave(r, turns_left ? 1 : -1, work);
+  }
+}
+
+/// The outlines cross: winding numbers do not say what is inside.
+void ShadowCaster::Impl::leave_crossed(Index g, const Receiver& r, Work& work) const {
+  const CanonicalFace& f = whole.faces[g];
+  if (f.plane == r.plane_id) return;
+  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(light.bodies[f.body]));
   std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     if (!take_above(l, gap, work)) continue;
-    if (crossed) {
-      std::vector<Vec2>& loop = loops.emplace_back();
-      for (const SidePart& part : work.polygon) loop.push_back(part.from());
-    } else if (!separate(outline_of(r, work), work.polygon)) {
-      leave(r, light.from_behind(g) ? -1 : 1, work);
-    }
+    std::vector<Vec2>& loop = loops.emplace_back();
+    for (const SidePart& part : work.polygon) loop.push_back(part.from());
   }
-  if (!crossed) return;
   for (const Trapezoid& part : even_odd(loops).parts) {
     work.corners.assign(part.begin(), part.end());
     assign(work.polygon, work.corners);

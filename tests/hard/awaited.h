@@ -15,11 +15,9 @@ constexpr Awaited kAwaited[] = {
     {"oracle", "huge-and-tiny"},
     {"oracle, far away", "glued-eight"},
     {"oracle, far away", "huge-and-tiny"},
-    {"oracle, far away", "needle-cone"},
     {"oracle, far away", "needles"},
     {"oracle, far away", "slivers"},
     {"oracle, far away", "t-junctions"},
-    {"oracle, far away", "whole-numbers"},
     {"oracle, far away", "wide-angle-among-bodies"},
 };
 
