@@ -18,26 +18,27 @@ RegionGrid::RegionGrid(std::vector<LightRegion> regions, double cells_per_thing)
   scale_ = Vec2(side_) / glm::max(all.high - all.low, Vec2(1e-300));
   start_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
   struct Cells {
-    int row, end_row, column, end_column;
+    std::uint16_t row, end_row, column, end_column;
   };
-  std::vector<Cells> cells(regions_.size(), Cells{});
+  std::vector<Cells> cells(regions_.size());
+  const auto each = [&](const Cells& c, const auto& visit) {
+    for (int first = c.row * side_; first < c.end_row * side_; first += side_)
+      for (int cell = first + c.column; cell < first + c.end_column; ++cell) visit(cell);
+  };
   for (Index i = 0; i < regions_.size(); ++i) {
     const LightRegion& r = regions_[i];
-    if (r.low.x <= r.high.x)
-      cells[i] = {row_of(r.low.y), row_of(r.high.y) + 1, column_of(r.low.x),
-                  column_of(r.high.x) + 1};
+    if (!(r.low.x <= r.high.x)) continue;
+    const auto end = [](int last) { return static_cast<std::uint16_t>(last + 1); };
+    const auto first = [](int at) { return static_cast<std::uint16_t>(at); };
+    cells[i] = {first(row_of(r.low.y)), end(row_of(r.high.y)), first(column_of(r.low.x)),
+                end(column_of(r.high.x))};
+    each(cells[i], [&](int cell) { ++start_[cell + 1]; });
   }
-  const auto each = [&](const auto& visit) {
-    for (Index i = 0; i < cells.size(); ++i)
-      for (int row = cells[i].row; row < cells[i].end_row; ++row)
-        for (int column = cells[i].column; column < cells[i].end_column; ++column)
-          visit(i, row * side_ + column);
-  };
-  each([&](Index, int cell) { ++start_[cell + 1]; });
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
   items_.resize(start_.back());
   std::vector<Index> at(start_.begin(), start_.end() - 1);
-  each([&](Index i, int cell) { items_[at[cell]++] = i; });
+  for (Index i = 0; i < regions_.size(); ++i)
+    each(cells[i], [&](int cell) { items_[at[cell]++] = i; });
 }
 
 CasterIndex::CasterIndex(const FrontTable& light)

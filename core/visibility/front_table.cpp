@@ -9,6 +9,15 @@
 
 namespace overstrike {
 
+namespace {
+
+/// Twice the area of a triangle that turns as faces do in the grid.
+double area_of(const Vec2& p, const Vec2& q, const Vec2& r) {
+  return (q.y - p.y) * (r.x - p.x) - (q.x - p.x) * (r.y - p.y);
+}
+
+}  // namespace
+
 double area_of(const FrontTable& table, Index face) {
   const Canonical& c = table.canonical;
   const CanonicalFace& f = c.faces[face];
@@ -16,10 +25,8 @@ double area_of(const FrontTable& table, Index face) {
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     const std::span<const Index> loop = c.loop(l);
     const Vec2& base = table.points[loop[0]];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vec2 a = table.points[loop[i]] - base, b = table.points[loop[i + 1]] - base;
-      area += a.y * b.x - a.x * b.y;
-    }
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+      area += area_of(base, table.points[loop[i]], table.points[loop[i + 1]]);
   }
   return area;
 }
@@ -170,7 +177,9 @@ void Builder::look_at_faces(Index number) {
     // A body that passes through itself may be inside out where it is cut: its cap looks to the
     // eye, but turns the other way. So do thin faces that are off their planes.
     if (f.cut || !body.on_planes || table_.use == FrontUse::outlines) {
-      const double area = area_of(table_, i);
+      const auto point = [&](Index j) { return table_.points[c_.corners[first + j]]; };
+      const double area =
+          end - first == 3 ? area_of(point(0), point(1), point(2)) : area_of(table_, i);
       front.turned |= behind ? area > 0 : area < 0;
     }
     front.seen = true;

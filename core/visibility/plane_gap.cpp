@@ -18,10 +18,6 @@ constexpr double kDotError = 4 * kEps;
 /// What a gap without digits of its own is said to be: far below any that has.
 constexpr double kSmallest = 0x1p-400;
 
-double size_of(const Plane& plane, const Vec3& reach) {
-  return glm::dot(glm::abs(plane.normal), reach) + std::fabs(plane.offset);
-}
-
 Expansion exact_dot(const Vec3& a, const Vec3& b) {
   Expansion sum;
   for (int i = 0; i < 3; ++i) sum = sum + Expansion(a[i]) * Expansion(b[i]);
@@ -50,18 +46,19 @@ double along(const Plane& plane, const Vec3& direction) {
   return height_of_point(Plane{plane.normal, 0}, direction);
 }
 
-// h is off by kDotError times its size, which |h| does not pass by more, and n . L by kDotError: so
-// each product by kDotError size (|n . L| + 1). Doubled for rounding the products, their difference
-// and the bound.
-PlaneGap::PlaneGap(const Plane& upper, const Plane& lower, const Vec3& direction, const Vec3& reach)
+// h is off by kDotError times the sizes of its terms, at most `reach` and the offset, which |h|
+// does not pass by more, and n . L by kDotError: so each product by kDotError size (|n . L| + 1).
+// Doubled for rounding the products, their difference and the bound.
+PlaneGap::PlaneGap(const Plane& upper, const Plane& lower, const Vec3& direction, double reach)
     : upper_(upper),
       lower_(lower),
       direction_(direction),
       along_upper_(along(upper, direction)),
       along_lower_(along(lower, direction)),
       same_side_((along_upper_ > 0) == (along_lower_ > 0)),
-      reach_(std::max({reach.x, reach.y, reach.z})) {
-  const double upper_size = size_of(upper, reach), lower_size = size_of(lower, reach);
+      reach_(reach) {
+  const double upper_size = reach + std::fabs(upper.offset),
+               lower_size = reach + std::fabs(lower.offset);
   size_ = upper_size + lower_size;
   error_ =
       2 * kDotError *

@@ -18,8 +18,8 @@ double along(const Plane& plane, const Vec3& direction);
 
 class PlaneGap {
  public:
-  /// Neither plane holds `direction`; points have coordinates of at most `reach`.
-  PlaneGap(const Plane& upper, const Plane& lower, const Vec3& direction, const Vec3& reach);
+  /// Neither plane holds `direction`; the sizes of a point's coordinates add up to at most `reach`.
+  PlaneGap(const Plane& upper, const Plane& lower, const Vec3& direction, double reach);
 
   /// g(p), of the right sign.
   double at(const Vec3& p) const {
@@ -44,7 +44,7 @@ class PlaneGap {
   double along_upper_, along_lower_;  ///< times s
   bool same_side_;                    ///< s > 0
   double error_;
-  double reach_, size_;  ///< of a point's coordinates; of the terms of both heights
+  double reach_, size_;  ///< of a point's coordinates, and of the terms of both heights
 };
 
 }  // namespace overstrike

@@ -11,8 +11,7 @@ bool is_on_plane(const Canonical& c, const CanonicalFace& face) {
   const Index end = c.loop_ends[face.end_loop - 1];
   for (Index i = c.first_corner(face.first_loop); i < end; ++i) {
     const Vec3& p = c.vertices[c.corners[i]];
-    const double size =
-        std::max(std::fabs(plane.offset), std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+    const double size = std::fabs(plane.offset) + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
     if (std::fabs(glm::dot(plane.normal, p) - plane.offset) > kPlaneRounding * size) return false;
   }
   return true;

@@ -4,7 +4,7 @@
 // A part remembers the whole side. However two faces that share a side are cut, what they have of
 // it are parts of one line, with the same points at the same parts of the way: what is common to
 // both cancels, and no gap is left between them.
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include "core/geometry/vec.h"
@@ -62,9 +62,10 @@ void cut(const ShadowPolygon& polygon, const std::vector<double>& heights, const
     if (from <= 0 && to <= 0 && (from < 0 || to < 0)) continue;
     SidePart part = polygon[i];
     if (from < 0 || to < 0) {
-      const double low = std::fmin(part.t0, part.t1), high = std::fmax(part.t0, part.t1);
-      // Rounding may take it out of the part.
-      (from > 0 ? part.t1 : part.t0) = std::fmin(std::fmax(crossing(i), low), high);
+      // Rounding may take it out of the part, or leave it without a number: then it is the first.
+      const auto [low, high] = std::minmax(part.t0, part.t1);
+      const double t = std::min(std::max(low, crossing(i)), high);
+      (from > 0 ? part.t1 : part.t0) = t;
     }
     if (from <= 0 && !result.empty()) go_on_to(part.from(), result);
     result.push_back(part);

@@ -4,33 +4,19 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "core/geometry/even_odd.h"
 #include "core/visibility/caster_index.h"
-#include "core/visibility/depth.h"
 #include "core/visibility/light_frame.h"
 #include "core/visibility/plane_gap.h"
 #include "core/visibility/plane_rounding.h"
 #include "core/visibility/shadow_border.h"
+#include "core/visibility/shadow_receiver.h"
 
 namespace overstrike {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
-/// The plane of a receiver as the light sees it. A receiver is what the eye sees of it: its corners
-/// are where the eye sees its vertices on the plane.
-struct Receiver {
-  Index face;      ///< in seen.faces; seen.faces.size() for the ground
-  Index body;      ///< in whole.bodies; kNone for the ground
-  Index plane_id;  ///< kNone for the ground
-  Plane plane;
-  bool off_plane;      ///< its vertices lie farther off it than rounding alone takes them
-  double along_light;  ///< dot(plane.normal, L), not 0; its sign is the lit side's
-  LightRegion region;  ///< across the light
-  double low_z = -HUGE_VAL, high_z = -HUGE_VAL;  ///< bounds of its heights towards the light
-};
 
 /// The light's view: x and y across it, y down as in every view, depth the height towards it.
 View view_of(const LightFrame& frame) {
@@ -41,14 +27,6 @@ View view_of(const LightFrame& frame) {
   view.matrix[3] = Vec4(0, 0, 1, 0);
   view.eye = Vec4(frame.light, 0);
   return view;
-}
-
-/// The side of a face that both the eye and the light are on, or 0.
-int lit_and_seen_side(const Canonical& c, const CanonicalFace& f, const View& view) {
-  const int eye = side_of_eye(c.planes[f.plane], f.flipped, view.eye);
-  const int light = side_of_direction(c.planes[f.plane], f.flipped, *c.light);
-  if (eye == 0 || eye != light) return 0;
-  return eye > 0 || !c.bodies[f.body].closed ? eye : 0;
 }
 
 }  // namespace
@@ -83,24 +61,16 @@ struct ShadowCaster::Impl {
     for (const CanonicalBody& body : seen.bodies) whole_body.push_back(by_source.at(body.source));
   }
 
-  template <class Visit>
-  void for_each_vertex(const CanonicalFace& f, const Visit& visit) const {
-    // The corners of a face's loops follow each other.
-    for (Index i = seen.first_corner(f.first_loop); i < seen.first_corner(f.end_loop); ++i)
-      visit(seen.vertices[seen.corners[i]]);
-  }
-  std::optional<Receiver> receiver_of(Index face) const;
-  Vec3 seen_on(const Plane& plane, const Vec3& p) const;
-  std::optional<Receiver> ground() const;
-  Shadow cast_on(const Receiver& receiver, Work& work) const;
-  bool cast_body(Index body, const Receiver& r, Work& work) const;
-  bool leave_outline(const FrontBody& body, const Receiver& r, Work& work) const;
-  void leave_faces(Index body, const Receiver& r, Work& work) const;
-  void leave_face(Index face, bool crossed, const Receiver& r, Work& work) const;
+  std::optional<ShadowReceiver> receiver_of(Index face) const;
+  Shadow cast_on(const ShadowReceiver& receiver, Work& work) const;
+  bool cast_body(Index body, const ShadowReceiver& r, Work& work) const;
+  bool leave_outline(const FrontBody& body, const ShadowReceiver& r, Work& work) const;
+  void leave_faces(Index body, const ShadowReceiver& r, Work& work) const;
+  void leave_face(Index face, const ShadowReceiver& r, Work& work) const;
+  void leave_crossed(Index face, const ShadowReceiver& r, Work& work) const;
   bool take_above(Index loop, const PlaneGap& gap, Work& work) const;
-  void leave(const Receiver& r, int winding, Work& work) const;
-  const std::vector<Vec2>& outline_of(const Receiver& r, Work& work) const;
-  Vec3 lifted(const Receiver& r, const Vec2& p) const;
+  void leave(const ShadowReceiver& r, int winding, Work& work) const;
+  const std::vector<Vec2>& outline_of(const ShadowReceiver& r, Work& work) const;
   bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
   bool is_above_ground(Index body, const Plane& ground) const;
 
@@ -113,54 +83,10 @@ struct ShadowCaster::Impl {
   std::vector<Index> whole_body;  ///< per body of `seen`; empty when they are the same
 };
 
-std::optional<Receiver> ShadowCaster::Impl::receiver_of(Index face) const {
-  if (face == seen.faces.size()) return ground();
-  const CanonicalFace& f = seen.faces[face];
-  if (f.cut || lit_and_seen_side(seen, f, view) == 0) return std::nullopt;
-  Receiver r{};
-  r.face = face;
-  r.body = whole_body.empty() ? f.body : whole_body[f.body];
-  r.plane_id = f.plane;
-  r.plane = seen.planes[f.plane];
-  r.along_light = along(r.plane, frame.light);
-  double size = std::fabs(r.plane.offset), off = 0;
-  for_each_vertex(f, [&](const Vec3& p) {
-    off = std::max(off, std::fabs(glm::dot(r.plane.normal, p) - r.plane.offset));
-    size = std::max(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
-  });
-  r.off_plane = off > kPlaneRounding * size;
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for_each_vertex(f, [&](const Vec3& p) {
-    const Vec3 q = frame(r.off_plane ? seen_on(r.plane, p) : p);
-    r.region.add(Vec2(q));
-    low = std::min(low, q.z), high = std::max(high, q.z);
-  });
-  // The plane passes its vertices by at `off` / |n . L|. What was rounded: two sums of products of
-  // at most `size` and twice that, and n . L, whose part of itself is as much of the quotient.
-  constexpr double kError = 4 * 0x1p-52;
-  const double steep = 1 / std::fabs(r.along_light);
-  const double error = kError * size + steep * (off + kError * (2 * size + steep * off));
-  r.low_z = low - 2 * error, r.high_z = high + 2 * error;
-  return r;
-}
-
-/// Where the eye sees a vertex on a plane.
-Vec3 ShadowCaster::Impl::seen_on(const Plane& plane, const Vec3& p) const {
-  const Vec3 to_eye = Vec3(view.eye) - p * view.eye.w;
-  const double facing = glm::dot(plane.normal, to_eye);
-  return facing == 0 ? p : p - to_eye * (height_of_point(plane, p) / facing);
-}
-
-std::optional<Receiver> ShadowCaster::Impl::ground() const {
-  if (!seen.ground_z) return std::nullopt;
-  const double z = *seen.ground_z;
-  if (!(frame.light.z > 0) || !(view.eye.z - z * view.eye.w > 0)) return std::nullopt;
-  Receiver r{};
-  r.face = static_cast<Index>(seen.faces.size());
-  r.body = r.plane_id = kNone;
-  r.plane = Plane{Vec3(0, 0, 1), z};
-  r.along_light = frame.light.z;
-  r.region = {Vec2(-HUGE_VAL), Vec2(HUGE_VAL)};
+std::optional<ShadowReceiver> ShadowCaster::Impl::receiver_of(Index face) const {
+  if (face == seen.faces.size()) return ground_receiver(seen, view, frame);
+  std::optional<ShadowReceiver> r = face_receiver(seen, view, frame, face);
+  if (r && !whole_body.empty()) r->body = whole_body[r->body];
   return r;
 }
 
@@ -193,7 +119,7 @@ bool misses(const std::vector<Vec2>& outline, const ShadowBorder& border) {
 }
 
 /// True when the receiver is covered.
-bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) const {
+bool ShadowCaster::Impl::cast_body(Index number, const ShadowReceiver& r, Work& work) const {
   const FrontBody& body = light.bodies[number];
   if (!body.seen || body.near_z <= r.low_z) return false;
   if (!walked(body)) return leave_faces(number, r, work), false;
@@ -207,6 +133,12 @@ bool ShadowCaster::Impl::cast_body(Index number, const Receiver& r, Work& work) 
   return false;
 }
 
+/// Bounds what the sizes of a vertex' coordinates add up to.
+double reach_of(const FrontBody& body) {
+  const Vec3 reach = glm::max(glm::abs(body.low), glm::abs(body.high));
+  return reach.x + reach.y + reach.z;
+}
+
 /// Whether nothing of the body's seen faces would be cut off by the ground, but for what is thinner
 /// than the rounding of their corners. Faces' planes may lie below their vertices, as far as they
 /// are off them; not by as much as this part of the body's height, but for faces that graze the
@@ -216,7 +148,7 @@ bool ShadowCaster::Impl::is_above_ground(Index number, const Plane& ground) cons
   const FrontBody& front = light.bodies[number];
   if (front.low.z < ground.offset) return false;
   if (front.low.z - ground.offset >= kFarAbove * (front.high.z - front.low.z)) return true;
-  const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
+  const double reach = reach_of(front);
   const CanonicalBody& body = whole.bodies[number];
   for (Index f = body.first_face; f < body.end_face; ++f) {
     if (!light.seen(f)) continue;
@@ -234,7 +166,8 @@ bool ShadowCaster::Impl::is_above_ground(Index number, const Plane& ground) cons
 
 /// The sides of the outline between the receiver's levels, down on the left and up on the right.
 /// (The table's y points down, the receiver's up.)
-bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r, Work& work) const {
+bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const ShadowReceiver& r,
+                                       Work& work) const {
   const double top = -r.region.high.y, bottom = -r.region.low.y;
   if (bottom <= body.top || top >= body.bottom) return false;
   struct Chain {
@@ -279,10 +212,12 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const Receiver& r,
   return false;
 }
 
-void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) const {
+void ShadowCaster::Impl::leave_faces(Index body, const ShadowReceiver& r, Work& work) const {
   const std::vector<Index>& faces = index.faces_of(body);
   const std::vector<char>& crossed = index.crossed(body);
-  const auto visit = [&](Index i) { leave_face(faces[i], crossed[i] != 0, r, work); };
+  const auto visit = [&](Index i) {
+    crossed[i] != 0 ? leave_crossed(faces[i], r, work) : leave_face(faces[i], r, work);
+  };
   if (r.body == kNone) {
     for (Index i = 0; i < faces.size(); ++i) visit(i);
     return;
@@ -296,11 +231,10 @@ void ShadowCaster::Impl::leave_faces(Index body, const Receiver& r, Work& work) 
 /// when nothing does.
 bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) const {
   const std::span<const Index> loop = whole.loop(l);
-  work.heights.clear();
+  work.heights.resize(loop.size());
   bool above = false, below = false;
-  for (const Index v : loop) {
-    const double height = gap.at(whole.vertices[v]);
-    work.heights.push_back(height);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double height = work.heights[i] = gap.at(whole.vertices[loop[i]]);
     above |= height > 0, below |= height < 0;
   }
   if (!above) return false;
@@ -319,24 +253,29 @@ bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) co
   return true;
 }
 
-void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Work& work) const {
+void ShadowCaster::Impl::leave_face(Index g, const ShadowReceiver& r, Work& work) const {
   const CanonicalFace& f = whole.faces[g];
   if (f.plane == r.plane_id) return;
   const FrontBody& body = light.bodies[f.body];
-  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light,
-                     glm::max(glm::abs(body.low), glm::abs(body.high)));
-  const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
+  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(body));
+  for (Index l = f.first_loop; l < f.end_loop; ++l) {
+    if (!take_above(l, gap, work) || separate(outline_of(r, work), work.polygon)) continue;
+    const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
+    leave(r, turns_left ? 1 : -1, work);
+  }
+}
+
+/// The outlines cross: winding numbers do not say what is inside.
+void ShadowCaster::Impl::leave_crossed(Index g, const ShadowReceiver& r, Work& work) const {
+  const CanonicalFace& f = whole.faces[g];
+  if (f.plane == r.plane_id) return;
+  const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(light.bodies[f.body]));
   std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
     if (!take_above(l, gap, work)) continue;
-    if (crossed) {
-      std::vector<Vec2>& loop = loops.emplace_back();
-      for (const SidePart& part : work.polygon) loop.push_back(part.from());
-    } else if (!separate(outline_of(r, work), work.polygon)) {
-      leave(r, turns_left ? 1 : -1, work);
-    }
+    std::vector<Vec2>& loop = loops.emplace_back();
+    for (const SidePart& part : work.polygon) loop.push_back(part.from());
   }
-  if (!crossed) return;
   for (const Trapezoid& part : even_odd(loops).parts) {
     work.corners.assign(part.begin(), part.end());
     assign(work.polygon, work.corners);
@@ -344,28 +283,17 @@ void ShadowCaster::Impl::leave_face(Index g, bool crossed, const Receiver& r, Wo
   }
 }
 
-const std::vector<Vec2>& ShadowCaster::Impl::outline_of(const Receiver& r, Work& work) const {
+const std::vector<Vec2>& ShadowCaster::Impl::outline_of(const ShadowReceiver& r, Work& work) const {
   if (work.outline_known || r.body == kNone) return work.outline;
-  const CanonicalFace& f = seen.faces[r.face];
-  if (f.end_loop - f.first_loop == 1) {
-    for_each_vertex(f, [&](const Vec3& p) {
-      work.outline.emplace_back(frame(r.off_plane ? seen_on(r.plane, p) : p));
-    });
-    keep_if_convex(work.outline);
-  }
+  convex_outline_of(r, seen, view, frame, work.outline);
   work.outline_known = true;
   return work.outline;
-}
-
-Vec3 ShadowCaster::Impl::lifted(const Receiver& r, const Vec2& p) const {
-  const Vec3 q = frame.right * p.x + frame.up * p.y;
-  return q + frame.light * ((r.plane.offset - glm::dot(r.plane.normal, q)) / r.along_light);
 }
 
 /// Keeps what lies over the receiver, and far enough from the eye to be projected. Both cuts are
 /// made well outside of what is seen, so that the borders they close polygons with lie nowhere near
 /// the receiver's own edges.
-void ShadowCaster::Impl::leave(const Receiver& r, int winding, Work& work) const {
+void ShadowCaster::Impl::leave(const ShadowReceiver& r, int winding, Work& work) const {
   ShadowPolygon& polygon = work.polygon;
   const auto keep = [&](const auto& height) {
     work.heights.clear();
@@ -396,7 +324,7 @@ void ShadowCaster::Impl::leave(const Receiver& r, int winding, Work& work) const
     const Plane& near = *view.near_plane;
     const double at_eye = glm::dot(near.normal, Vec3(view.eye));
     const double half_way = (near.offset + at_eye) / 2;
-    keep([&](const Vec2& p) { return glm::dot(near.normal, lifted(r, p)) - half_way; });
+    keep([&](const Vec2& p) { return glm::dot(near.normal, lifted(r, frame, p)) - half_way; });
   }
   for (SidePart part : polygon) {
     const bool along = part.t0 < part.t1;
@@ -406,7 +334,7 @@ void ShadowCaster::Impl::leave(const Receiver& r, int winding, Work& work) const
   }
 }
 
-Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
+Shadow ShadowCaster::Impl::cast_on(const ShadowReceiver& r, Work& work) const {
   Shadow shadow{r.face, false, {}};
   work.edges.clear(), work.outline.clear();
   work.outline_known = false;
@@ -440,7 +368,7 @@ Shadow ShadowCaster::Impl::cast_on(const Receiver& r, Work& work) const {
   shadow.edges.reserve(work.edges.size());
   for (const ShadowBorder& border : work.edges)
     shadow.edges.push_back(
-        {lifted(r, border.part.from()), lifted(r, border.part.to()), border.winding});
+        {lifted(r, frame, border.part.from()), lifted(r, frame, border.part.to()), border.winding});
   return shadow;
 }
 
@@ -455,7 +383,7 @@ bool ShadowCaster::receives(Index receiver) const {
 
 Shadow ShadowCaster::on(Index receiver, Scratch& scratch) const {
   if (impl_ != nullptr)
-    if (const std::optional<Receiver> r = impl_->receiver_of(receiver))
+    if (const std::optional<ShadowReceiver> r = impl_->receiver_of(receiver))
       return impl_->cast_on(*r, *scratch.impl_);
   return {receiver, false, {}};
 }

@@ -3,17 +3,18 @@
 // the receivers' planes.
 //
 // A point Q of a face that the light faces is in shadow when another face that faces the light lies
-// over it, seen from the light, on the light's side of its plane. The casters over a receiver leave
-// closed polygons there, which are counted where they overlap; any count but zero is shadow. A face
-// never shadows its own plane: vertices of the receiver's plane identity are on it by topology, not
-// by distance.
+// over it, seen from the light, and that face's stored plane passes over Q, on the light's side of
+// its plane. The casters over a receiver leave closed polygons there, which are counted where they
+// overlap; any count but zero is shadow. A face never shadows its own plane, which is a matter of
+// plane identities; of all others planes decide, not how far vertices are from them.
 //
 // Steps, for one receiver:
 //  1. Bodies whose bounds across the light meet the receiver's are looked at, one by one.
 //  2. A body whose front towards the light can be walked (front_table.h) leaves its outline, and
-//     nothing on itself. Where it lies wholly above the receiver its outline alone decides: all of
-//     the receiver inside is covered, and no other body need be asked; outside is nothing; else the
-//     sides of the outline that pass by are left as a polygon.
+//     nothing on itself, unless its faces' vertices are off their planes. Where it lies wholly
+//     above the receiver its outline alone decides: all of the receiver inside is covered, and no
+//     other body need be asked; outside is nothing; else the sides of the outline that pass by are
+//     left as a polygon.
 //  3. Where it lies beside the receiver in height, or cannot be walked, its faces over the receiver
 //     are cut to the light's side of its plane and left one by one; borders that two of them share
 //     cancel.
