@@ -17,6 +17,12 @@ constexpr double kFallbackFov = 60;
 constexpr double kWidestFov = 120;
 /// A scene that is one point in the picture gets a window of this part of the distance.
 constexpr double kPointWindow = 1.0 / 3;
+/// A fit asks for no more cells a unit than this many over the reach of what goes into the ground
+/// (Window): of a tip that only just comes out of it, a picture would show what rounding made of
+/// it. A grid coordinate is a sum of four products, each at most sqrt(3) reaches times the scale,
+/// which costs four roundings: 4 sqrt(3) 2^-53 of the reach for the body and as much for the
+/// target. That stays below a billionth of a cell.
+constexpr double kMostCellsOverReach = 1e-9 / (16 * 0x1p-53);
 
 /// Cells per world unit at the target's depth, and the grid point of the target.
 struct Scale {
@@ -41,7 +47,9 @@ Scale by_fit(const Grid& grid, const Window& window, double margin) {
   const double part = 1 - 2 * margin;
   const double by_x = grid.columns * part / size.x;
   const double by_y = grid.rows * part / size.y * (grid.pitch_y_mm / grid.pitch_x_mm);
-  return centred(grid, std::fmin(by_x, by_y), window.low + size * 0.5);
+  const double sharpest =
+      kMostCellsOverReach / window.reach;  // infinite where nothing reaches down
+  return centred(grid, std::fmin(std::fmin(by_x, by_y), sharpest), window.low + size * 0.5);
 }
 
 Scale choose_scale(const Scene& scene, const Grid& grid, const CameraFrame& frame, double margin) {
