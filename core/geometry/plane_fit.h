@@ -23,6 +23,10 @@ struct PlaneFit {
   double tilt(double error) const { return area > 0 ? error * perimeter / area : 1; }
 };
 
+/// The cross product, in a sliver's case too: where the vectors' directions differ by little, what
+/// is left of the products is computed with what their rounding lost.
+Vec3 accurate_cross(const Vec3& a, const Vec3& b);
+
 /// Gathers loops of one plane.
 class PlaneFitter {
  public:
@@ -36,7 +40,7 @@ class PlaneFitter {
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = at(i) - base_;
       const Vec3 step = p - previous;
-      const Vec3 triangle = glm::cross(previous - first, p - first) * sign;
+      const Vec3 triangle = accurate_cross(previous - first, p - first) * sign;
       vector_ += triangle;
       if (glm::dot(triangle, triangle) > glm::dot(widest_, widest_)) widest_ = triangle;
       perimeter_ += std::sqrt(glm::dot(step, step));

@@ -113,11 +113,14 @@ class Welder {
   bool speaks_for(Index sample, Index representative) const {
     const PlaneSample& s = samples_[sample];
     const PlaneSample& r = samples_[representative];
-    const double tilt = r.fit.tilt(r.error);
+    const bool one_body = s.body == r.body && s.body != PlaneSample::kNoBody;
+    const double s_error = one_body ? s.own_error : s.error;
+    const double r_error = one_body ? r.own_error : r.error;
+    const double tilt = r.fit.tilt(r_error);
     for (std::size_t i = s.first_point; i < s.end_point; ++i) {
       const Vec3 away = points_[corners_.empty() ? i : corners_[i]] - r.fit.middle;
       const double reach = tilt * std::sqrt(glm::dot(away, away));
-      if (!(std::fabs(glm::dot(r.fit.normal, away)) <= s.error + r.error + reach)) return false;
+      if (!(std::fabs(glm::dot(r.fit.normal, away)) <= s_error + r_error + reach)) return false;
     }
     return true;
   }

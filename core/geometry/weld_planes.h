@@ -10,6 +10,9 @@
 //   2. candidates: planes about as far from one reference point as the face's own plane
 //   3. |n x n'| within what the vertices' errors allow, then every vertex against the plane
 //   4. slivers, whose own plane says nothing, are tried against their neighbours' planes only
+//
+// What moved a body as a whole has not moved its faces against each other: within one body only its
+// own errors count, or a small body far away would be pressed into one plane.
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +26,9 @@ struct PlaneSample {
   PlaneFit fit;      ///< of the largest of the faces
   double error = 0;  ///< how far a vertex may be from where it was meant
   std::size_t first_point = 0, end_point = 0;
+  double own_error = 0;  ///< the same, against the rest of its body
+  Index body = kNoBody;
+  static constexpr Index kNoBody = 0xFFFFFFFFu;  ///< has no other samples
 };
 
 struct WeldedPlanes {

@@ -135,5 +135,22 @@ TEST(RankSet, FindsWhatASortedListFinds) {
   }
 }
 
+/// Two faces a millionth apart, each of which may be a thousandth from its place: of two bodies
+/// they may be one plane, of one body they are two, for what moved it has moved both.
+TEST(WeldPlanes, WhatMovesABodyDoesNotPressItIntoOnePlane) {
+  std::mt19937_64 random(12);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Turn turn(random);
+    Faces faces;
+    faces.add(rectangle(turn, {0, 0}, {2, 1}, 0, false), 1e-3);
+    faces.add(rectangle(turn, {0, 0}, {1, 1}, 1e-6, true), 1e-3);
+    EXPECT_EQ(faces.weld().representative.size(), 1u);
+    for (PlaneSample& s : faces.samples) s.body = 7, s.own_error = kError;
+    EXPECT_EQ(faces.weld().representative.size(), 2u);
+    faces.samples[1].body = 8;
+    EXPECT_EQ(faces.weld().representative.size(), 1u);
+  }
+}
+
 }  // namespace
 }  // namespace overstrike

@@ -67,16 +67,25 @@ double chord_of(const Body& body, const View& view, double chord_cells) {
 constexpr double kPlacementRoundings = 72;
 
 /// How far a placed vertex may be from where it was meant. The placement is from the origin; in the
-/// world, where it was rounded, it reaches no farther than both together.
-double placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
-                    double precision) {
+/// world, where it was rounded, it reaches no farther than both together. Against the other
+/// vertices of its body it is nearer than that: the placement is one for all, and what made it
+/// inexact has moved them together; only its four roundings and the shape's vertices are a vertex's
+/// own.
+struct PlacedError {
+  double in_world, in_body;
+};
+PlacedError placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
+                         double precision) {
+  constexpr double kUnit = 0x1p-53;
   Vec3 reach(0.0);
   for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
   const Mat3 size(glm::abs(placement.linear[0]), glm::abs(placement.linear[1]),
                   glm::abs(placement.linear[2]));
-  const double rounding =
-      max_norm(size * reach + glm::abs(placement.offset) + glm::abs(origin)) * 0x1p-53;
-  return kPlacementRoundings * rounding + max_norm(size * Vec3(precision));
+  const Vec3 own = size * reach, offset = glm::abs(placement.offset);
+  const double rounding = max_norm(own + offset + glm::abs(origin)) * kUnit;
+  const double given = max_norm(size * Vec3(precision));
+  return {kPlacementRoundings * rounding + given,
+          (kPlacementRoundings * max_norm(own) + 4 * max_norm(offset)) * kUnit + given};
 }
 
 /// Takes outward normals to outward normals, mirrored or not: the inverse transpose times |det|.
@@ -218,12 +227,13 @@ class Assembler {
   void add_faces(const PreparedShape& shape, const CanonicalBody& body, const Body& source,
                  bool mirrored) {
     const Polyhedron& p = shape.polyhedron;
-    const double error = placed_error(p, source.placement, view_.origin, shape.precision);
+    const PlacedError error = placed_error(p, source.placement, view_.origin, shape.precision);
+    const Index face_body = static_cast<Index>(out_.bodies.size());
     std::map<Index, Index> sample_of_group;
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};
       face.first_loop = static_cast<Index>(out_.loop_ends.size());
-      PlaneSample sample{{}, error, out_.corners.size(), 0};
+      PlaneSample sample{{}, error.in_world, out_.corners.size(), 0, error.in_body, face_body};
       PlaneFitter fitter;
       for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
         const std::span<const Index> loop = add_loop(p.loop(l), body.first_vertex, mirrored);
@@ -232,7 +242,7 @@ class Assembler {
       sample.fit = fitter.fit();
       sample.end_point = out_.corners.size();
       face.end_loop = static_cast<Index>(out_.loop_ends.size());
-      face.body = static_cast<Index>(out_.bodies.size());
+      face.body = face_body;
       face.plane = static_cast<Index>(samples_.size());
       normals_.push_back(sample.fit.normal);
       if (!p.plane_groups.empty())

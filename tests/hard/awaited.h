@@ -13,7 +13,6 @@ struct Awaited {
 
 constexpr Awaited kAwaited[] = {
     {"oracle", "bodies-crossing-flatly"},
-    {"oracle", "huge-and-tiny"},
     {"oracle, far away", "bodies-crossing-flatly"},
     {"oracle, far away", "coplanar-opposite-inside"},
     {"oracle, far away", "coplanar-opposite-shifted"},
@@ -30,13 +29,11 @@ constexpr Awaited kAwaited[] = {
     {"oracle, far away", "near-in-a-face"},
     {"oracle, far away", "near-through-vertices"},
     {"oracle, far away", "needle-cone"},
-    {"oracle, far away", "needles"},
     {"oracle, far away", "on-and-through-the-ground"},
     {"oracle, far away", "open-mesh"},
     {"oracle, far away", "plug-in-a-hole"},
     {"oracle, far away", "round-bodies-cross"},
     {"oracle, far away", "round-bodies-touch"},
-    {"oracle, far away", "slivers"},
     {"oracle, far away", "t-junctions"},
     {"oracle, far away", "whole-numbers"},
     {"oracle, far away", "wide-angle-among-bodies"},
