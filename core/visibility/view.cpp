@@ -84,12 +84,16 @@ double zero_depth(const CameraFrame& frame, const Bounds& bounds) {
   return frame.parallel || middle < frame.distance - frame.near_distance ? middle : 0;
 }
 
+/// In perspective all is counted from the eye, whose place the planes of the view know, too: an eye
+/// that is far from its target would otherwise see from as far beside it as the target is rounded.
 Mat4 matrix_of(const CameraFrame& frame, const Scale& scale, double world_per_cell, double zero) {
-  const Vec4 right(frame.right, -glm::dot(frame.right, frame.target));
-  const Vec4 up(frame.up, -glm::dot(frame.up, frame.target));
-  const Vec4 back(frame.back, -glm::dot(frame.back, frame.target));
+  const Vec3& from = frame.parallel ? frame.target : frame.eye;
+  const Vec4 right(frame.right, -glm::dot(frame.right, from));
+  const Vec4 up(frame.up, -glm::dot(frame.up, from));
+  const Vec4 back(frame.back, -glm::dot(frame.back, from));
   const Vec4 one(0, 0, 0, 1);
-  const Vec4 w = frame.parallel ? one : one - back / frame.distance;
+  const Vec4 w = frame.parallel ? one : -back / frame.distance;
+  if (!frame.parallel) zero -= frame.distance;  // of the eye, from the target
   Mat4 m{0.0};
   set_row(m, 0, right * scale.x + w * scale.centre.x);
   set_row(m, 1, w * scale.centre.y - up * scale.y);

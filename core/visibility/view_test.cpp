@@ -235,6 +235,24 @@ TEST(View, AnEyeInsideTheSceneSeesSixtyDegrees) {
   EXPECT_NEAR(view.near_plane->offset + view.origin.y, 0.001, 1e-15);
 }
 
+/// The law: all lines of sight pass the eye, however far the target: x^, y^ and w^ vanish there,
+/// but for the rounding of their four products (8 units of 2^-53 of each, and twice that for the
+/// axes').
+TEST(View, LinesOfSightPassTheEye) {
+  Scene scene = boxes(20, 4);
+  for (const double far : {10.0, 1e4, 1e8, 1e12}) {
+    scene.camera.eye = Vec3(0.3, 0.2, 0.1);
+    scene.camera.target = scene.camera.eye;  // the direction and the distance say where to look
+    scene.camera.distance = far;
+    scene.camera.fov_deg = 50;
+    const View view = make_view(scene, {100, 100, 1, 1});
+    const Vec4 at = view.matrix * view.eye;
+    Vec4 terms(0);
+    for (int c = 0; c < 3; ++c) terms += glm::abs(view.matrix[c] * view.eye[c]);
+    for (int row = 0; row < 3; ++row) EXPECT_LE(std::fabs(at[row]), 24 * 0x1p-53 * terms[row]);
+  }
+}
+
 TEST(View, FieldOfViewIsVertical) {
   Scene scene;
   scene.camera.eye = Vec3(10, 0, 0);
