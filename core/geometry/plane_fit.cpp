@@ -13,10 +13,6 @@ namespace {
 /// up to 2^20 times as far away as the face is large (2^-53 * 2^20, and 2^3 for the sum's terms).
 constexpr double kCancelled = 0x1p-30;
 
-/// Below this square of the sine of their angle the products of two vectors cancel to less than a
-/// thousandth, and 2^-53 of them turns the normal by more than a thousand of its last places.
-constexpr double kSmallSineSquared = 0x1p-20;
-
 double difference_of_products(double a, double b, double c, double d) {
   const DoubleDouble p = two_product(a, b), q = two_product(c, d);
   return (p.hi - q.hi) + (p.lo - q.lo);
@@ -24,9 +20,7 @@ double difference_of_products(double a, double b, double c, double d) {
 
 }  // namespace
 
-Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
-  const Vec3 usual = glm::cross(a, b);
-  if (glm::dot(usual, usual) >= kSmallSineSquared * glm::dot(a, a) * glm::dot(b, b)) return usual;
+Vec3 compensated_cross(const Vec3& a, const Vec3& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
