@@ -4,7 +4,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "core/geometry/direction.h"
+#include "core/geometry/cap.h"
 #include "core/geometry/plane_fit.h"
 
 namespace overstrike {
@@ -18,10 +18,6 @@ struct Corner {
 /// What is left of a loop between entering the kept side and leaving it.
 using Chain = std::vector<Corner>;
 
-struct DirectedEdge {
-  Index from, to;
-};
-
 class Cutter {
  public:
   Cutter(const Polyhedron& p, const std::vector<double>& height, const Vec3& normal)
@@ -29,7 +25,7 @@ class Cutter {
 
   CutPolyhedron cut(bool cap) {
     for (Index f = 0; f < in_.face_count(); ++f) cut_face(f);
-    if (cap) add_cap();
+    if (cap) add_caps(out_, in_plane_, normal_);
     return std::move(out_);
   }
 
@@ -169,62 +165,6 @@ class Cutter {
     }
     out_.polyhedron.add_loop(vertices);
     return true;
-  }
-
-  /// Edges in the plane that have a face on one side only.
-  std::vector<DirectedEdge> open_edges() const {
-    std::vector<DirectedEdge> edges;
-    const Polyhedron& p = out_.polyhedron;
-    for (Index l = 0; l < p.loop_ends.size(); ++l) {
-      const std::span<const Index> loop = p.loop(l);
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Index a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
-        if (in_plane_[a] && in_plane_[b]) edges.push_back({a, b});
-      }
-    }
-    const auto key = [](const DirectedEdge& e) {
-      return std::pair(std::min(e.from, e.to), std::max(e.from, e.to));
-    };
-    std::stable_sort(edges.begin(), edges.end(),
-                     [&](const DirectedEdge& a, const DirectedEdge& b) { return key(a) < key(b); });
-    std::vector<DirectedEdge> open;
-    for (std::size_t i = 0, end; i < edges.size(); i = end) {
-      int balance = 0;
-      for (end = i; end < edges.size() && key(edges[end]) == key(edges[i]); ++end)
-        balance += edges[end].from < edges[end].to ? 1 : -1;
-      const auto [low, high] = key(edges[i]);
-      for (; balance > 0; --balance) open.push_back({low, high});
-      for (; balance < 0; ++balance) open.push_back({high, low});
-    }
-    return open;
-  }
-
-  /// The open edges, turned round, linked to loops.
-  void add_cap() {
-    std::vector<DirectedEdge> edges = open_edges();
-    for (DirectedEdge& e : edges) std::swap(e.from, e.to);
-    std::stable_sort(edges.begin(), edges.end(),
-                     [](const DirectedEdge& a, const DirectedEdge& b) { return a.from < b.from; });
-    std::vector<bool> used(edges.size(), false);
-    const auto next_from = [&](Index v) {
-      auto it = std::lower_bound(edges.begin(), edges.end(), v,
-                                 [](const DirectedEdge& e, Index w) { return e.from < w; });
-      while (it != edges.end() && it->from == v && used[it - edges.begin()]) ++it;
-      return it != edges.end() && it->from == v ? static_cast<std::size_t>(it - edges.begin())
-                                                : edges.size();
-    };
-    bool any = false;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      Chain loop;
-      for (std::size_t k = i; k < edges.size() && !used[k]; k = next_from(edges[k].to)) {
-        used[k] = true;
-        loop.push_back({edges[k].from, -normal_});
-      }
-      any = add_loop(std::move(loop)) || any;
-    }
-    if (!any) return;
-    out_.polyhedron.end_face();
-    out_.face_source.push_back(kCap);
   }
 
   const Polyhedron& in_;

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "core/geometry/direction.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/winged_edges.h"
 
 namespace overstrike {
@@ -106,6 +108,104 @@ TEST(CutPolyhedron, CubeInHalf) {
   EXPECT_EQ(half.polyhedron.face_count(), 6u);
   EXPECT_EQ(half.polyhedron.vertices.size(), 8u);
   EXPECT_DOUBLE_EQ(signed_volume(half.polyhedron), 0.75);
+}
+
+/// A shell of several, that goes round what lies in it once: forwards or backwards.
+struct BoxShell {
+  Vec3 low, high;
+  bool inside_out = false;
+  int winding(const Vec3& p) const {
+    const bool in = glm::all(glm::lessThan(low, p)) && glm::all(glm::lessThan(p, high));
+    return in ? (inside_out ? -1 : 1) : 0;
+  }
+};
+
+Polyhedron mesh_of(const std::vector<BoxShell>& shells) {
+  Polyhedron p;
+  for (const BoxShell& s : shells) {
+    const Index first = static_cast<Index>(p.vertices.size());
+    const Polyhedron box = prism({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, 1);
+    for (const Vec3& v : box.vertices) p.add_vertex(s.low + (s.high - s.low) * v);
+    for (Index f = 0; f < box.face_count(); ++f) {
+      std::vector<Index> loop;
+      for (const Index v : box.loop(f)) loop.push_back(first + v);
+      if (s.inside_out) std::reverse(loop.begin(), loop.end());
+      p.add_face(std::span<const Index>(loop));
+    }
+  }
+  return p;
+}
+
+/// A cap's faces, each by even and odd, at a point (x, y) of a plane z = const.
+bool capped_at(const CutPolyhedron& part, const Vec2& at) {
+  const Polyhedron& p = part.polyhedron;
+  for (Index f = 0; f < p.face_count(); ++f) {
+    bool inside = false;
+    for (Index l = p.first_loop(f); is_cap(part.face_source[f]) && l < p.face_ends[f]; ++l) {
+      Loop2 loop;
+      for (const Index v : p.loop(l)) loop.push_back(Vec2(p.vertices[v]));
+      inside = inside != contains(loop, at);
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
+std::vector<Index> caps(const CutPolyhedron& part) {
+  std::vector<Index> found;
+  for (const Index source : part.face_source)
+    if (is_cap(source)) found.push_back(source);
+  return found;
+}
+
+TEST(CutPolyhedron, ShellsOverAndInOneAnotherAreCappedOnceForEachTimeRound) {
+  const BoxShell whole{{0, 0, 0}, {4, 4, 4}}, over{{2, 2, 0}, {6, 6, 4}},
+      within{{1, 1, 1}, {3, 3, 3}};
+  const BoxShell hollow{within.low, within.high, true};
+  const auto part_of = [](const std::vector<BoxShell>& shells) {
+    CutPolyhedron part = cut(mesh_of(shells), {0, 0, 1}, 2);
+    EXPECT_EQ(borders(part.polyhedron), 0u);
+    return part;
+  };
+  const CutPolyhedron overlapping = part_of({whole, over}), nested = part_of({whole, within});
+  EXPECT_EQ(caps(overlapping), std::vector<Index>({kCap, kCap}));
+  EXPECT_TRUE(capped_at(overlapping, {3, 3}));
+  EXPECT_FALSE(capped_at(overlapping, {1, 5}));
+  EXPECT_EQ(caps(nested), std::vector<Index>({kCap, kCap}));
+  EXPECT_TRUE(capped_at(nested, {2, 2}));
+  const CutPolyhedron cavity = part_of({whole, hollow}), turned = part_of({hollow});
+  EXPECT_EQ(caps(cavity), std::vector<Index>({kCap}));
+  EXPECT_FALSE(capped_at(cavity, {2, 2}));
+  EXPECT_EQ(caps(turned), std::vector<Index>({kTurnedCap}));
+  EXPECT_TRUE(capped_at(turned, {2, 2}));
+}
+
+/// Corners on a lattice, so that cuts touch, lie on one another and cancel; or anywhere.
+TEST(CutPolyhedron, RandomShellsAreCappedWhereTheyGoRound) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const bool lattice = i % 2 == 0;
+    const auto place = [&](double low, double high) {
+      const Vec3 p = Vec3(low) + Vec3(u(random), u(random), u(random)) * (high - low);
+      return lattice ? glm::floor(p) : p;
+    };
+    std::vector<BoxShell> shells;
+    for (std::size_t n = 2 + random() % 4; n > 0; --n) {
+      const Vec3 low = place(0, 4);
+      shells.push_back({low, low + place(1, 5), u(random) < 0.3});
+    }
+    const double z = lattice ? 3.5 : 1 + 4 * u(random);
+    const CutPolyhedron part = cut(mesh_of(shells), {0, 0, 1}, z);
+    EXPECT_EQ(borders(part.polyhedron), 0u) << i;
+    for (int k = 0; k < 30; ++k) {
+      const Vec3 at(9 * u(random), 9 * u(random), z);
+      int winding = 0;
+      for (const BoxShell& s : shells) winding += s.winding(at);
+      EXPECT_EQ(capped_at(part, Vec2(at)), winding != 0) << i << " at " << at.x << ", " << at.y;
+    }
+    if (HasFailure()) return;
+  }
 }
 
 TEST(CutPolyhedron, OpenFacesGetNoCap) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/geometry/direction.h"
+#include "core/geometry/error_free.h"
 
 namespace overstrike {
 
@@ -12,7 +13,17 @@ namespace {
 /// up to 2^20 times as far away as the face is large (2^-53 * 2^20, and 2^3 for the sum's terms).
 constexpr double kCancelled = 0x1p-30;
 
+double difference_of_products(double a, double b, double c, double d) {
+  const DoubleDouble p = two_product(a, b), q = two_product(c, d);
+  return (p.hi - q.hi) + (p.lo - q.lo);
+}
+
 }  // namespace
+
+Vec3 compensated_cross(const Vec3& a, const Vec3& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
 
 PlaneFit PlaneFitter::fit() const {
   PlaneFit fit;

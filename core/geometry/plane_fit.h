@@ -23,6 +23,19 @@ struct PlaneFit {
   double tilt(double error) const { return area > 0 ? error * perimeter / area : 1; }
 };
 
+/// Below this square of the sine of their angle the products of two vectors cancel to less than a
+/// thousandth, and 2^-53 of them turns the normal by more than a thousand of its last places.
+constexpr double kSmallSineSquared = 0x1p-20;
+
+/// The cross product from what the products' rounding lost, too.
+Vec3 compensated_cross(const Vec3& a, const Vec3& b);
+
+inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
+  const Vec3 usual = glm::cross(a, b);
+  if (glm::dot(usual, usual) >= kSmallSineSquared * glm::dot(a, a) * glm::dot(b, b)) return usual;
+  return compensated_cross(a, b);
+}
+
 /// Gathers loops of one plane.
 class PlaneFitter {
  public:
@@ -36,9 +49,7 @@ class PlaneFitter {
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = at(i) - base_;
       const Vec3 step = p - previous;
-      const Vec3 triangle = glm::cross(previous - first, p - first) * sign;
-      vector_ += triangle;
-      if (glm::dot(triangle, triangle) > glm::dot(widest_, widest_)) widest_ = triangle;
+      if (i > 1) add_triangle(accurate_cross(previous - first, p - first) * sign);
       perimeter_ += std::sqrt(glm::dot(step, step));
       sum_ += p;
       previous = p;
@@ -48,6 +59,11 @@ class PlaneFitter {
   PlaneFit fit() const;
 
  private:
+  void add_triangle(const Vec3& triangle) {
+    vector_ += triangle;
+    if (glm::dot(triangle, triangle) > glm::dot(widest_, widest_)) widest_ = triangle;
+  }
+
   Vec3 base_{0.0}, vector_{0.0}, widest_{0.0}, sum_{0.0};
   double perimeter_ = 0, points_ = 0;
 };

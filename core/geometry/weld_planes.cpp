@@ -30,14 +30,17 @@ const Vec3 kAside(0.7548776662466927, 0.5698402909980532, 0.4301597090019468);
 
 class Welder {
  public:
-  Welder(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-         std::span<const Index> corners)
-      : samples_(samples), points_(points), corners_(corners), group_(samples.size(), kNoGroup) {
+  Welder(std::span<const PlaneSample> samples, std::span<const VertexError> errors,
+         std::span<const Vec3> points, std::span<const Index> corners)
+      : samples_(samples),
+        errors_(errors),
+        points_(points),
+        corners_(corners),
+        group_(samples.size(), kNoGroup) {
     Vec3 low(1e300), high(-1e300);
-    for (const PlaneSample& s : samples) {
+    for (const PlaneSample& s : samples)
       low = glm::min(low, s.fit.middle), high = glm::max(high, s.fit.middle);
-      worst_error_ = std::fmax(worst_error_, s.error);
-    }
+    for (const VertexError& e : errors) worst_error_ = std::fmax(worst_error_, e.in_world);
     reference_ = low + (high - low) * (Vec3(0.5) + kAside);
     measure();
   }
@@ -123,11 +126,13 @@ class Welder {
   bool speaks_for(Index sample, Index representative) const {
     const PlaneSample& s = samples_[sample];
     const PlaneSample& r = samples_[representative];
-    const double tilt = r.fit.tilt(r.error);
+    const auto error = s.body == r.body ? &VertexError::in_body : &VertexError::in_world;
+    const double s_error = errors_[s.body].*error, r_error = errors_[r.body].*error;
+    const double tilt = r.fit.tilt(r_error);
     for (std::size_t i = s.first_point; i < s.end_point; ++i) {
       const Vec3 away = points_[corners_.empty() ? i : corners_[i]] - r.fit.middle;
       const double reach = tilt * std::sqrt(glm::dot(away, away));
-      if (!(std::fabs(glm::dot(r.fit.normal, away)) <= s.error + r.error + reach)) return false;
+      if (!(std::fabs(glm::dot(r.fit.normal, away)) <= s_error + r_error + reach)) return false;
     }
     return true;
   }
@@ -184,6 +189,7 @@ class Welder {
   }
 
   std::span<const PlaneSample> samples_;
+  std::span<const VertexError> errors_;
   std::span<const Vec3> points_;
   std::span<const Index> corners_;
   Vec3 reference_{0.0};
@@ -203,10 +209,11 @@ class Welder {
 
 }  // namespace
 
-WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const Vec3> points,
-                         const NeighbourPairs& neighbours, std::span<const Index> corners) {
+WeldedPlanes weld_planes(std::span<const PlaneSample> samples, std::span<const VertexError> errors,
+                         std::span<const Vec3> points, const NeighbourPairs& neighbours,
+                         std::span<const Index> corners) {
   if (samples.empty()) return {};
-  return Welder(samples, points, corners).weld(neighbours);
+  return Welder(samples, errors, points, corners).weld(neighbours);
 }
 
 }  // namespace overstrike

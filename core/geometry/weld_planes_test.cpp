@@ -14,16 +14,19 @@ namespace {
 
 struct Faces {
   std::vector<PlaneSample> samples;
+  std::vector<VertexError> errors;  ///< each is a body's of its own
   std::vector<Vec3> points;
   void add(const std::vector<Vec3>& loop, double error) {
     PlaneFitter fitter;
     fitter.add(loop.size(), [&](std::size_t i) { return loop[i]; });
     const Index first = static_cast<Index>(points.size());
     points.insert(points.end(), loop.begin(), loop.end());
-    samples.push_back({fitter.fit(), error, first, static_cast<Index>(points.size())});
+    samples.push_back({fitter.fit(), first, static_cast<Index>(points.size()),
+                       static_cast<Index>(samples.size())});
+    errors.push_back({error, error});
   }
   WeldedPlanes weld(const std::vector<std::pair<Index, Index>>& neighbours = {}) const {
-    return weld_planes(samples, points, [&] { return neighbours; });
+    return weld_planes(samples, errors, points, [&] { return neighbours; });
   }
 };
 
@@ -133,6 +136,25 @@ TEST(RankSet, FindsWhatASortedListFinds) {
       set.insert(fresh);
       list.insert(std::lower_bound(list.begin(), list.end(), fresh), fresh);
     }
+  }
+}
+
+/// Two faces a millionth apart, each of which may be a thousandth from its place: of two bodies
+/// they may be one plane, of one body they are two, for what moved it has moved both.
+TEST(WeldPlanes, WhatMovesABodyDoesNotPressItIntoOnePlane) {
+  std::mt19937_64 random(12);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Turn turn(random);
+    Faces faces;
+    faces.add(rectangle(turn, {0, 0}, {2, 1}, 0, false), 1e-3);
+    faces.add(rectangle(turn, {0, 0}, {1, 1}, 1e-6, true), 1e-3);
+    EXPECT_EQ(faces.weld().representative.size(), 1u);
+    for (VertexError& e : faces.errors) e.in_body = kError;
+    EXPECT_EQ(faces.weld().representative.size(), 1u);
+    faces.samples[1].body = 0;
+    EXPECT_EQ(faces.weld().representative.size(), 2u);
+    faces.samples[1].body = 1;
+    EXPECT_EQ(faces.weld().representative.size(), 1u);
   }
 }
 

@@ -22,16 +22,22 @@ namespace {
 constexpr double kPlacementRoundings = 72;
 
 /// How far a placed vertex may be from where it was meant. The placement is from the origin; in the
-/// world, where it was rounded, it reaches no farther than both together.
-double placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
-                    double precision) {
+/// world, where it was rounded, it reaches no farther than both together. Against the other
+/// vertices of its body it is nearer than that: the placement is one for all, and what made it
+/// inexact has moved them together; only its four roundings and the shape's vertices are a vertex's
+/// own.
+VertexError placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
+                         double precision) {
+  constexpr double kUnit = 0x1p-53;
   Vec3 reach(0.0);
   for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
   const Mat3 size(glm::abs(placement.linear[0]), glm::abs(placement.linear[1]),
                   glm::abs(placement.linear[2]));
-  const double rounding =
-      max_norm(size * reach + glm::abs(placement.offset) + glm::abs(origin)) * 0x1p-53;
-  return kPlacementRoundings * rounding + max_norm(size * Vec3(precision));
+  const Vec3 own = size * reach, offset = glm::abs(placement.offset);
+  const double rounding = max_norm(own + offset + glm::abs(origin)) * kUnit;
+  const double given = max_norm(size * Vec3(precision));
+  return {kPlacementRoundings * rounding + given,
+          (kPlacementRoundings * max_norm(own) + 4 * max_norm(offset)) * kUnit + given};
 }
 
 /// Takes outward normals to outward normals, mirrored or not: the inverse transpose times |det|.
@@ -130,12 +136,13 @@ class Assembler {
 
   void add_faces(const Placing& placing, const CanonicalBody& body) {
     const Polyhedron& p = placing.shape.polyhedron;
-    const double error = placed_error(p, placing.placement, view_.origin, placing.shape.precision);
+    const Index number = static_cast<Index>(out_.bodies.size());
+    errors_.push_back(placed_error(p, placing.placement, view_.origin, placing.shape.precision));
     std::map<Index, Index> sample_of_group;
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};
       face.first_loop = static_cast<Index>(out_.loop_ends.size());
-      PlaneSample sample{{}, error, static_cast<Index>(out_.corners.size()), 0};
+      PlaneSample sample{{}, static_cast<Index>(out_.corners.size()), 0, number};
       PlaneFitter fitter;
       for (Index l = p.first_loop(f); l < p.face_ends[f]; ++l) {
         const std::span<const Index> loop =
@@ -145,7 +152,7 @@ class Assembler {
       sample.fit = fitter.fit();
       sample.end_point = static_cast<Index>(out_.corners.size());
       face.end_loop = static_cast<Index>(out_.loop_ends.size());
-      face.body = static_cast<Index>(out_.bodies.size());
+      face.body = number;
       face.plane = static_cast<Index>(samples_.size());
       if (!p.plane_groups.empty()) {
         grouped_normals_.push_back(sample.fit.normal);
@@ -187,7 +194,7 @@ class Assembler {
   /// that lie in them first: who goes over faces in order finds their planes in order.
   void weld() {
     const WeldedPlanes welded = weld_planes(
-        samples_, out_.vertices, [this] { return neighbours(); }, out_.corners);
+        samples_, errors_, out_.vertices, [this] { return neighbours(); }, out_.corners);
     out_.planes.reserve(welded.representative.size());
     std::vector<Index> number(welded.representative.size(), kNone);
     std::size_t grouped = 0;
@@ -207,7 +214,7 @@ class Assembler {
         face.flipped = glm::dot(normal, out_.planes[face.plane].normal) < 0;
       }
     }
-    samples_ = {}, grouped_normals_ = {};
+    samples_ = {}, errors_ = {}, grouped_normals_ = {};
   }
 
   /// Of samples, as faces number them until they are welded.
@@ -271,6 +278,7 @@ class Assembler {
   PlacedShapes placed_;
   std::map<std::pair<const PreparedShape*, bool>, Index> first_twin_;
   bool any_smooth_ = false;
+  std::vector<VertexError> errors_;    ///< per body
   std::vector<PlaneSample> samples_;   ///< until weld(), a face's plane is the number of its sample
   std::vector<Vec3> grouped_normals_;  ///< of faces that may share their sample, in order
   Canonical out_;

@@ -252,6 +252,20 @@ TEST(Canonical, FlattenedBodiesKeepTheFacesThatHaveAnArea) {
   EXPECT_EQ(canon(scene).canonical.faces.size(), 0u);
 }
 
+/// Where the last place of a coordinate is larger than the body itself.
+TEST(Canonical, ASmallBodyFarAwayKeepsItsFaces) {
+  std::mt19937_64 random(4);
+  Scene scene;
+  for (const double far : {0.0, 1e6, 1e10, 1e14}) {
+    Affine placement = turn(random, Vec3(far, -far, far / 2));
+    for (int c = 0; c < 3; ++c) placement.linear[c] *= 1e-6;
+    scene.bodies = {body(shape(Box{}), placement)};
+    const Canon result = canon(scene);
+    EXPECT_EQ(result.canonical.planes.size(), 6u) << far;
+    EXPECT_TRUE(result.warnings.empty()) << far;
+  }
+}
+
 TEST(Canonical, PatternsAndSegmentsArePlaced) {
   Scene scene;
   scene.camera.look_at = Vec3(0.0);  // the origin of the view

@@ -204,7 +204,7 @@ class Clipper {
     for (const Vec3& p : whole.polyhedron.vertices) heights.push_back(height(keep_, p));
     CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights, keep_.normal, body.closed);
     for (Index& source : cut.face_source)
-      if (source != kCap) source = whole.source[source];
+      if (!is_cap(source)) source = whole.source[source];
     if (cut.polyhedron.face_count() == 0) return;
     CanonicalBody result = begin(body);
     out_.vertices.insert(out_.vertices.end(), cut.polyhedron.vertices.begin(),
@@ -216,12 +216,12 @@ class Clipper {
   }
 
   CanonicalFace face_like(const CanonicalBody& body, Index source) {
-    if (source != kCap) return in_.faces[body.first_face + source];
+    if (!is_cap(source)) return in_.faces[body.first_face + source];
     if (cap_plane_ == kNone) {
       cap_plane_ = static_cast<Index>(out_.planes.size());
       out_.planes.push_back(keep_);
     }
-    return {0, 0, cap_plane_, 0, true, true};
+    return {0, 0, cap_plane_, 0, source == kCap, true};
   }
 
   void add_edges(const CanonicalBody& body, const CutPolyhedron& cut,
@@ -231,14 +231,14 @@ class Clipper {
       if (!in_.edges[e].crease)
         smooth.insert(
             edge_key(in_.edges[e].from - body.first_vertex, in_.edges[e].to - body.first_vertex));
-    const auto is_cap = [&](Index face) { return cut.face_source[face] == kCap; };
+    const auto of_cap = [&](Index face) { return is_cap(cut.face_source[face]); };
     const std::vector<EdgePair> pairs = pair_edges(cut.polyhedron);
     result.first_twin = static_cast<Index>(out_.twins.size());
     for (const Twin& twin : twins_of(cut.polyhedron, pairs)) out_.twins.push_back(twin);
     for (const EdgePair& e : pairs) {
       const bool border = e.right == kNoFace;
       if (border) result.closed = false;
-      const bool crease = border || is_cap(e.left) || is_cap(e.right) ||
+      const bool crease = border || of_cap(e.left) || of_cap(e.right) ||
                           smooth.count(source_edge(cut.origin[e.from], cut.origin[e.to])) == 0;
       out_.edges.push_back({result.first_vertex + e.from, result.first_vertex + e.to,
                             result.first_face + e.left,

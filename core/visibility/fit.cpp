@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry/direction.h"
 #include "core/geometry/trig.h"
 
 namespace overstrike {
@@ -62,6 +63,7 @@ class Fitter {
   /// is above counts.
   void add_dip(const Vec3& a, const Vec3& b) {
     if (counts(a) == counts(b)) return;
+    window_.reach = std::fmax(window_.reach, std::fmax(max_norm(a), max_norm(b)));
     Vec3 p = a + (b - a) * ((ground_ - a.z) / (b.z - a.z));
     p.z = ground_;
     add(p);

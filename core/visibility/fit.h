@@ -9,6 +9,9 @@ namespace overstrike {
 /// A rectangle of the plane through the target across the line of sight, in (X', Y').
 struct Window {
   Vec2 low{1e300}, high{-1e300};
+  /// The largest coordinate, from the frame's origin, of what goes into the ground: what is seen of
+  /// it may be as small as you like, and is no better known than its ends.
+  double reach = 0;
   bool empty() const { return low.x > high.x; }
   void add(const Vec2& p) { low = glm::min(low, p), high = glm::max(high, p); }
   bool holds(const Vec2& p) const {

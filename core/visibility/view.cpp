@@ -17,6 +17,12 @@ constexpr double kFallbackFov = 60;
 constexpr double kWidestFov = 120;
 /// A scene that is one point in the picture gets a window of this part of the distance.
 constexpr double kPointWindow = 1.0 / 3;
+/// A fit asks for no more cells a unit than this many over the reach of what goes into the ground
+/// (Window): of a tip that only just comes out of it, a picture would show what rounding made of
+/// it. A grid coordinate is a sum of four products, each at most sqrt(3) reaches times the scale,
+/// which costs four roundings: 4 sqrt(3) 2^-53 of the reach for the body and as much for the
+/// target. That stays below a billionth of a cell.
+constexpr double kMostCellsOverReach = 1e-9 / (16 * 0x1p-53);
 
 /// Cells per world unit at the target's depth, and the grid point of the target.
 struct Scale {
@@ -41,7 +47,9 @@ Scale by_fit(const Grid& grid, const Window& window, double margin) {
   const double part = 1 - 2 * margin;
   const double by_x = grid.columns * part / size.x;
   const double by_y = grid.rows * part / size.y * (grid.pitch_y_mm / grid.pitch_x_mm);
-  return centred(grid, std::fmin(by_x, by_y), window.low + size * 0.5);
+  const double sharpest =
+      kMostCellsOverReach / window.reach;  // infinite where nothing reaches down
+  return centred(grid, std::fmin(std::fmin(by_x, by_y), sharpest), window.low + size * 0.5);
 }
 
 Scale choose_scale(const Scene& scene, const Grid& grid, const CameraFrame& frame, double margin) {
@@ -76,12 +84,16 @@ double zero_depth(const CameraFrame& frame, const Bounds& bounds) {
   return frame.parallel || middle < frame.distance - frame.near_distance ? middle : 0;
 }
 
+/// In perspective all is counted from the eye, whose place the planes of the view know, too: an eye
+/// that is far from its target would otherwise see from as far beside it as the target is rounded.
 Mat4 matrix_of(const CameraFrame& frame, const Scale& scale, double world_per_cell, double zero) {
-  const Vec4 right(frame.right, -glm::dot(frame.right, frame.target));
-  const Vec4 up(frame.up, -glm::dot(frame.up, frame.target));
-  const Vec4 back(frame.back, -glm::dot(frame.back, frame.target));
+  const Vec3& from = frame.parallel ? frame.target : frame.eye;
+  const Vec4 right(frame.right, -glm::dot(frame.right, from));
+  const Vec4 up(frame.up, -glm::dot(frame.up, from));
+  const Vec4 back(frame.back, -glm::dot(frame.back, from));
   const Vec4 one(0, 0, 0, 1);
-  const Vec4 w = frame.parallel ? one : one - back / frame.distance;
+  const Vec4 w = frame.parallel ? one : -back / frame.distance;
+  if (!frame.parallel) zero -= frame.distance;  // of the eye, from the target
   Mat4 m{0.0};
   set_row(m, 0, right * scale.x + w * scale.centre.x);
   set_row(m, 1, w * scale.centre.y - up * scale.y);

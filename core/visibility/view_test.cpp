@@ -210,6 +210,37 @@ TEST(View, AFitLeavesOutWhatTheGroundHides) {
   }
 }
 
+TEST(View, AFitOfATipThatComesOutOfTheGroundHasALimit) {
+  const Grid grid{100, 100, 1, 1};
+  Mesh pyramid;
+  for (const Vec3 p : {Vec3(-1, -1, -2), Vec3(1, -1, -2), Vec3(0, 1, -2), Vec3(0, 0, 0)})
+    pyramid.polyhedron.add_vertex(p);
+  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    pyramid.polyhedron.add_face({face[0], face[1], face[2]});
+  Scene scene;
+  scene.bodies.emplace_back();
+  scene.bodies[0].shape = std::make_shared<const Shape>(pyramid);
+  scene.ground_z = 0;
+  scene.camera.look_at = Vec3(0, 0, 0);
+  scene.camera.distance = 20;
+  for (const bool parallel : {false, true}) {
+    scene.camera.parallel = parallel;
+    double before = 1;
+    for (double height = 1; height > 1e-18; height /= 8) {
+      scene.bodies[0].placement.offset = Vec3(0, 0, height);
+      const View view = make_view(scene, grid);
+      // The tip is in the picture, and nothing is as fine as rounding.
+      const Vec3 tip = grid_point(view, Vec3(0, 0, height));
+      EXPECT_TRUE(tip.x >= 0 && tip.x <= 100 && tip.y >= 0 && tip.y <= 100) << height;
+      EXPECT_GT(view.world_per_cell, 2 * 0x1p-53 / 1e-9) << height;
+      if (height > 1e-3) {  // as near as fits
+        EXPECT_LT(view.world_per_cell, before);
+      }
+      before = view.world_per_cell;
+    }
+  }
+}
+
 TEST(View, AnEyeInsideTheSceneSeesSixtyDegrees) {
   Scene scene = boxes(20, 4);
   scene.camera.eye = Vec3(0, 0, 0);
@@ -219,6 +250,24 @@ TEST(View, AnEyeInsideTheSceneSeesSixtyDegrees) {
   ASSERT_TRUE(view.near_plane);
   EXPECT_EQ(view.near_plane->normal, Vec3(0, 1, 0));
   EXPECT_NEAR(view.near_plane->offset + view.origin.y, 0.001, 1e-15);
+}
+
+/// The law: all lines of sight pass the eye, however far the target: x^, y^ and w^ vanish there,
+/// but for the rounding of their four products (8 units of 2^-53 of each, and twice that for the
+/// axes').
+TEST(View, LinesOfSightPassTheEye) {
+  Scene scene = boxes(20, 4);
+  for (const double far : {10.0, 1e4, 1e8, 1e12}) {
+    scene.camera.eye = Vec3(0.3, 0.2, 0.1);
+    scene.camera.target = scene.camera.eye;  // the direction and the distance say where to look
+    scene.camera.distance = far;
+    scene.camera.fov_deg = 50;
+    const View view = make_view(scene, {100, 100, 1, 1});
+    const Vec4 at = view.matrix * view.eye;
+    Vec4 terms(0);
+    for (int c = 0; c < 3; ++c) terms += glm::abs(view.matrix[c] * view.eye[c]);
+    for (int row = 0; row < 3; ++row) EXPECT_LE(std::fabs(at[row]), 24 * 0x1p-53 * terms[row]);
+  }
 }
 
 TEST(View, FieldOfViewIsVertical) {

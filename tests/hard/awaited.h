@@ -12,7 +12,6 @@ struct Awaited {
 };
 
 constexpr Awaited kAwaited[] = {
-    {"oracle", "huge-and-tiny"},
     {"oracle, far away", "huge-and-tiny"},
 };
 

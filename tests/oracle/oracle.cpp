@@ -206,7 +206,7 @@ struct Oracle::Impl {
     for (const Meeting& m : met) winding[in.faces[m.face].body] -= faces[m.face].eye_side;
     std::optional<Seen> best;
     for (Index b = 0; b < in.bodies.size(); ++b) {
-      if (!in.bodies[b].closed || winding[b] % 2 == 0) continue;
+      if (!in.bodies[b].closed || winding[b] == 0) continue;
       const double d = clamped(in.law.cut_factor * in.law.hmax * in.bodies[b].density_factor);
       if (!best || d > best->density) best = Seen{kNone, b, Kind::cut, d};
     }

@@ -16,7 +16,7 @@
 //  3. With a near plane only points with dot(n, p) >= offset are there, and of the backs of closed
 //     bodies those with dot(n, p) > offset: a body that ends in the near plane is not cut by it.
 //     Where a line of sight starts on it inside a closed body (its winding number along the line is
-//     odd: even and odd, as for outlines) the near plane is seen there as that body's cut face,
+//     not 0) the near plane is seen there as that body's cut face,
 //     density cut_factor * hmax * the body's factor, clamped to 0..1; inside several bodies: the
 //     darkest, then the body of the smallest number.
 //  4. The ground is the plane Z = ground_z, seen from above only. It hides what lies below it. Lit
