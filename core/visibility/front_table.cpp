@@ -35,6 +35,7 @@ class Builder {
   void project(Index number);
   void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
+  bool convex(std::span<const Index> loop) const;
   bool walkable(const CanonicalFace& f) const;
   bool turned(const CanonicalFace& f) const;
   void add_side(const WingedEdge& edge, bool left_seen);
@@ -69,7 +70,9 @@ void Builder::project(Index number) {
     if (view_.perspective) {
       const double w = m[0][2] * p.x + m[1][2] * p.y + m[2][2] * p.z + m[3][2];
       least_w = std::min(least_w, std::fabs(w));
-      at = Vec2(x / w, y / w);
+      // 0 only by rounding, of a near plane that stands at the eye: no place is better than
+      // another.
+      at = w != 0 ? Vec2(x / w, y / w) : Vec2(0.0);
     }
     table_.points[v] = at;
     most = glm::max(most, glm::abs(at));
@@ -102,16 +105,30 @@ bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const
     varies = varies || d != at_first;
     sum += d;
   }
-  // Where all are equal it is that, to the last bit: ties are decided by what is equal.
+  // Where all are equal it is that, to the last bit.
   mean = varies ? sum / (end - first) : at_first;
   return varies;
 }
 
-/// A loop that goes up once and down once meets every level in two sides.
+/// No two corners turn opposite ways.
+bool Builder::convex(std::span<const Index> loop) const {
+  const auto at = [&](std::size_t i) { return table_.points[loop[i % loop.size()]]; };
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 a = at(i + 1) - at(i), b = at(i + 2) - at(i + 1);
+    const double turn = a.x * b.y - a.y * b.x;
+    left = left || turn < 0, right = right || turn > 0;
+  }
+  return !(left && right);
+}
+
+/// A loop that goes up once and down once meets every level in two sides. Of open bodies a face may
+/// cross itself, and turn the other way beyond the crossing.
 bool Builder::walkable(const CanonicalFace& f) const {
   if (f.end_loop - f.first_loop != 1) return false;
   const std::span<const Index> loop = c_.loop(f.first_loop);
   if (loop.size() == 3) return true;
+  if (!c_.bodies[f.body].closed && !convex(loop)) return false;
   int turns = 0, direction = 0, first_direction = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const double step =

@@ -76,6 +76,8 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
                               double point_error) {
   const Vec2 a = projected(view, edge.a), b = projected(view, edge.b);
   if (a.y == b.y) return;
+  // A corner that rounding has put into the eye's own plane, of a near plane that stands there.
+  if (!std::isfinite(a.x + a.y + b.x + b.y)) return;
   const bool down = a.y < b.y;
   const LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
   if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;

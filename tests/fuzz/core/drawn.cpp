@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/geometry/trig.h"
+#include "core/visibility/run_source.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace overstrike::fuzz {
@@ -20,6 +21,15 @@ oracle::Line line_of(const ScanFamily& family, std::int64_t index) {
   const Vec2 direction(cos_deg(family.angle_deg), sin_deg(family.angle_deg));
   const double offset = family.offset + static_cast<double>(index) * family.spacing;
   return {offset * Vec2(-direction.y, direction.x), direction};
+}
+
+/// To where the line is looked at: beside itself by what the size of the turned grid makes of it.
+void move_beside(DrawnLine& drawn) {
+  const Vec2& along = drawn.line.direction;
+  const double c = std::fabs(along.x), s = std::fabs(along.y);
+  drawn.beside =
+      beside_line(c * kGrid.columns + s * kGrid.rows, s * kGrid.columns + c * kGrid.rows);
+  drawn.line.origin += drawn.beside * Vec2(-along.y, along.x);
 }
 
 void clip_to_grid(DrawnLine& drawn) {
@@ -79,10 +89,11 @@ std::vector<DrawnLine> draw_lines(Drawing& drawing, const ScanFamily& family) {
   std::vector<DrawnLine> lines;
   drawing.runs(family, [&](const RunRow& row) {
     expect(lines.empty() || row.index == lines.back().index + 1, "lines come in order");
-    DrawnLine drawn{line_of(family, row.index), row.index, 0, 0, {}};
+    DrawnLine drawn{line_of(family, row.index), 0, row.index, 0, 0, {}};
     clip_to_grid(drawn);
     drawn.runs.assign(row.runs.begin(), row.runs.end());
     expect_sound(drawn);
+    move_beside(drawn);
     lines.push_back(std::move(drawn));
   });
   return lines;

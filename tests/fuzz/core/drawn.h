@@ -23,7 +23,8 @@ struct Prepared {
 };
 
 struct DrawnLine {
-  oracle::Line line;
+  oracle::Line line;  ///< where it is looked at,
+  double beside;      ///< so far beside the line that was asked for (beside_line())
   std::int64_t index;
   double from, to;  ///< where the line lies in the grid
   std::vector<DensityRun> runs;
