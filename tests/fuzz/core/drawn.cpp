@@ -73,6 +73,20 @@ std::vector<double> means_along(const DrawnLine& drawn) {
 
 }  // namespace
 
+double place_error_of(const Canonical& canonical, const View& view) {
+  Vec3 reach(0);
+  for (const Vec3& p : canonical.vertices) reach = glm::max(reach, glm::abs(p));
+  Vec4 size = glm::abs(view.matrix[3]);
+  for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column]) * reach[column];
+  double w = 1;
+  if (view.perspective) {
+    const Plane& near = *view.near_plane;
+    w = std::fabs((view.matrix * Vec4(near.normal * near.offset, 1)).z);
+  }
+  const double most = std::max(view.grid.columns, view.grid.rows);
+  return 4 * 0x1p-52 * (std::max(size.x, size.y) + size.z * most) / w;
+}
+
 Prepared::Prepared(const Scene& scene) : view(make_view(scene, kGrid)) {
   std::vector<Diagnostic> warnings;
   canonical = std::make_shared<const Canonical>(canonicalize(scene, view, kTolerance, warnings));
@@ -128,7 +142,7 @@ bool same_bits(const DensityRun& a, const DensityRun& b) {
          a.surface == b.surface && a.body == b.body && a.kind == b.kind;
 }
 
-void expect_means(Drawing& drawing) {
+void expect_means(Drawing& drawing, double place_error) {
   constexpr int kLines = 32;  // to a row
   const auto cells = draw_cells(drawing);
   const auto lines = draw_lines(drawing, {0, 1.0 / kLines, 0.5 / kLines});
@@ -142,8 +156,8 @@ void expect_means(Drawing& drawing) {
         if (i > row * kLines) change += std::fabs(along[i][column] - along[i - 1][column]);
       }
       // Each line stands for a strip; between two lines the density may pass what it has there
-      // once, to bare paper or black, unseen.
-      const double missed = (change + 2) / kLines;
+      // once, to bare paper or black, unseen. As the tolerance does, four borders in a cell count.
+      const double missed = (change + 2) / kLines + 4 * place_error;
       expect(std::fabs(mean - cells[row][column]) <= kTolerance + missed,
              "cells are the mean of many lines: row " + std::to_string(row) + " column " +
                  std::to_string(column) + " is " + std::to_string(cells[row][column]) +

@@ -36,23 +36,6 @@ std::string text_of(const Seen& s) {
          std::to_string(s.density);
 }
 
-/// How far the place of a point in the grid may be off by the rounding of the world's coordinates
-/// and of their products with the view's matrix, each 2 eps of the sum of sizes, for the nearest
-/// point that is seen. More than kEndError only where a view magnifies without end.
-double place_error_of(const Canonical& canonical, const View& view) {
-  Vec3 reach(0);
-  for (const Vec3& p : canonical.vertices) reach = glm::max(reach, glm::abs(p));
-  Vec4 size = glm::abs(view.matrix[3]);
-  for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column]) * reach[column];
-  double w = 1;
-  if (view.perspective) {
-    const Plane& near = *view.near_plane;
-    w = std::fabs((view.matrix * Vec4(near.normal * near.offset, 1)).z);
-  }
-  const double most = std::max(view.grid.columns, view.grid.rows);
-  return std::max(kEndError, 4 * 0x1p-52 * (std::max(size.x, size.y) + size.z * most) / w);
-}
-
 }  // namespace
 
 /// A run, or a gap between two.
@@ -64,7 +47,7 @@ struct Judge::Stretch {
 Judge::Judge(const Canonical& canonical, const View& view)
     : in_(canonical),
       view_(view),
-      place_error_(place_error_of(canonical, view)),
+      place_error_(std::max(kEndError, place_error_of(canonical, view))),
       oracle_(canonical, view),
       crossings_(canonical, view) {
   clipped_ = view.near_plane && needs_clip(canonical, *view.near_plane);
