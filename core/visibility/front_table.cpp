@@ -6,6 +6,7 @@
 #include "core/in_order.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/ground_polygon.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 namespace {
@@ -85,8 +86,11 @@ void Builder::project(Index number) {
   const double far = std::max(most.x, most.y);
   if (!view_.perspective) least_w = 1;
   const double error = 2 * kEps * (std::max(size.x, size.y) + size.z * far) / least_w + kEps * far;
-  // The ends' own errors, moved along by the slope, and the rounding of x_at itself.
-  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y};
+  // The ends' own errors, moved along by the slope, the rounding of x_at itself, and the height at
+  // which lines are looked at for their own.
+  const double beside =
+      table_.use == FrontUse::picture ? beside_line(table_.columns, table_.rows) : 0;
+  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside};
 }
 
 bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const {
@@ -324,7 +328,8 @@ void Builder::add_ground() {
   ground.seen = is_seen;
   ground.simple = true;
   const double reach = std::max(table_.columns, table_.rows) + 1;
-  ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
+  ground.line_error = {6 * kEps * reach,
+                       6 * kEps * reach + beside_line(table_.columns, table_.rows)};
   if (!is_seen) return;
   left_.clear(), right_.clear(), all_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

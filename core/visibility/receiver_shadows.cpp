@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/visibility/projected_scene.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 namespace {
@@ -84,7 +85,8 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   const double across = std::max(std::fabs(a.x), std::fabs(b.x));
   const double tall = std::max(std::fabs(a.y), std::fabs(b.y));
   const double error = 2 * point_error * (1 + std::fabs(line.slope)) +
-                       4 * kEps * (across + tall * std::fabs(line.slope));
+                       4 * kEps * (across + tall * std::fabs(line.slope)) +
+                       beside_line(view.grid.columns, view.grid.rows) * std::fabs(line.slope);
   if (std::min(a.x, b.x) > receiver.high.x + error) return;
   const int winding = down ? edge.winding : -edge.winding;
   const bool left = std::max(a.x, b.x) < receiver.low.x - error;
