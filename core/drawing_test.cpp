@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "core/visibility/test_scenes.h"
@@ -241,6 +242,156 @@ TEST(Drawing, BodiesThatStandOnOthersAreSeenDownToTheirFeet) {
     scene.ground_z = 0;
     expect_mean_of_lines(scene, 4.0 / 256);
   }
+}
+
+/// A line that meets exactly the edges of boxes, shadows and sheets in one plane shows what is seen
+/// on one side of them.
+TEST(Drawing, LinesAlongEdgesShowOneOfTheirSides) {
+  constexpr double kBeside = 1e-7;
+  std::mt19937 random(1974);
+  const auto whole = [&](int low, int high) {
+    return low + static_cast<double>(random() % static_cast<unsigned>(high - low + 1));
+  };
+  const auto lines_of = [](const Scene& scene, const ScanFamily& family) {
+    std::map<std::int64_t, std::vector<DensityRun>> lines;
+    Drawing(scene, square_grid(16, 12), {}).runs(family, [&](const RunRow& row) {
+      lines[row.index].assign(row.runs.begin(), row.runs.end());
+    });
+    return lines;
+  };
+  const auto seen_at = [](const std::vector<DensityRun>& runs, double x) {
+    for (const DensityRun& run : runs)
+      if (run.x0 <= x && x < run.x1) return std::pair(run.surface, run.kind);
+    return std::pair(kNoSurface, Kind::lit);
+  };
+  int judged = 0;
+  for (int i = 0; i < 300; ++i) {
+    Scene scene;
+    const Direction from[] = {{0, 0}, {-90, 0}, {-45, 0}, {45, 30}, {0, 45}};
+    scene.camera.from = from[i % 5];
+    scene.camera.parallel = i % 2 == 0;
+    scene.camera.window_width = 16;
+    scene.camera.look_at = Vec3(0);
+    scene.light = Direction{30.0 * (i % 12), 45};
+    scene.ground_z = -2;
+    for (int b = 0; b < 4; ++b)
+      add(scene, Box{{whole(1, 4), whole(1, 4), whole(1, 3)}},
+          {whole(-3, 3), whole(-3, 3), whole(-2, 1)}, i % 3 == 0 ? 45 : 0);
+    for (const double angle : {0.0, 90.0}) {
+      const auto at = lines_of(scene, {angle, 1, 0});
+      auto before = lines_of(scene, {angle, 1, -kBeside});
+      auto after = lines_of(scene, {angle, 1, kBeside});
+      for (const auto& [line, runs] : at)
+        for (const DensityRun& run : runs) {
+          if (run.x1 - run.x0 < 1e-3 || before.count(line) + after.count(line) < 2) continue;
+          const double x = run.x0 + (run.x1 - run.x0) / 2;
+          const std::pair drawn(run.surface, run.kind);
+          EXPECT_TRUE(seen_at(before[line], x) == drawn || seen_at(after[line], x) == drawn)
+              << "scene " << i << " angle " << angle << " line " << line << " at " << x;
+          ++judged;
+        }
+    }
+  }
+  EXPECT_GT(judged, 5000);
+}
+
+/// A face of an open body that crosses itself turns the other way beyond the crossing, where it is
+/// seen no less.
+TEST(Drawing, AFaceThatCrossesItselfIsSeenOnBothSidesOfTheCrossing) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  Mesh mesh;
+  const Vec3 corners[] = {{1, -7, 0}, {9, -4, 0}, {1, -1, 0}, {5, -1, 0}};
+  for (const Vec3& p : corners) mesh.polyhedron.add_vertex(p);
+  mesh.polyhedron.add_face({3, 2, 0});
+  mesh.polyhedron.add_face({3, 0, 1, 2});  // crosses the one before, and itself
+  add(scene, mesh);
+  const auto inside = [&](std::initializer_list<int> loop, const Vec2& p) {
+    bool odd = false;
+    const std::vector<int> l(loop);
+    for (std::size_t i = 0; i < l.size(); ++i) {
+      const Vec2 a(corners[l[i]]), b(corners[l[(i + 1) % l.size()]]);
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) * (b.x - a.x) / (b.y - a.y))
+        odd = !odd;
+    }
+    return odd;
+  };
+  const auto rows = runs_of(scene, square_grid(10, 8), {});
+  for (int r = 0; r < 8; ++r)
+    for (double x = 0.03; x < 10; x += 0.0917) {
+      const Vec2 p(x, -(r + 0.5));
+      bool drawn = false;
+      for (const DensityRun& run : rows[r]) drawn = drawn || (run.x0 <= x && x < run.x1);
+      EXPECT_EQ(drawn, inside({3, 2, 0}, p) || inside({3, 0, 1, 2}, p)) << r << ' ' << x;
+    }
+}
+
+/// Faces of one plane: the greater density factor, which is what is darker of flat ones; then flat
+/// before smooth. Nowhere does it matter where they are looked at.
+TEST(Drawing, TiesAreDecidedByWhatFacesAre) {
+  Scene scene;
+  look_down(scene, 10, 8);
+  scene.light = Direction{20, 40};
+  const auto roof = [](double ridge) {  // smooth: its corners' densities differ
+    Mesh mesh;
+    for (const Vec3& p : {Vec3(1, -7, 0), Vec3(9, -7, 0), Vec3(9, -1, 0), Vec3(1, -1, 0),
+                          Vec3(1, -9, ridge), Vec3(9, -9, ridge)})
+      mesh.polyhedron.add_vertex(p);
+    mesh.polyhedron.add_face({0, 1, 2, 3});
+    mesh.polyhedron.add_face({1, 0, 4, 5});
+    return mesh;
+  };
+  const FlatPolygon sheet{{{{1, -7, 0}, {9, -7, 0}, {9, -1, 0}, {1, -1, 0}}}};
+  add(scene, roof(-1)).shading = Shading::smooth;
+  const auto front = [&](double of_roof, double of_sheet, bool sheet_first) {
+    Scene both = scene;
+    both.bodies[0].density_factor = of_roof;
+    add(both, sheet).density_factor = of_sheet;
+    if (sheet_first) std::swap(both.bodies[0], both.bodies[1]);
+    std::vector<Index> bodies;
+    const auto rows = runs_of(both, square_grid(10, 8), {});
+    for (int r = 1; r < 7; ++r)
+      for (const DensityRun& run : rows[r]) bodies.push_back(run.body ^ Index{sheet_first});
+    return bodies;
+  };
+  for (const bool sheet_first : {false, true}) {
+    for (const Index body : front(0.5, 0.5, sheet_first)) EXPECT_EQ(body, 1u) << "flat first";
+    for (const Index body : front(0.51, 0.5, sheet_first)) EXPECT_EQ(body, 0u);
+    for (const Index body : front(0.5, 0.51, sheet_first)) EXPECT_EQ(body, 1u);
+  }
+}
+
+/// Corners of one density make a flat face, as dark as they are: no darker and no lighter than on
+/// lines.
+TEST(Drawing, CellsOfASmoothRidgeAreAsDarkAsItsLines) {
+  Scene scene;
+  add(scene, Frustum{2, 2, 2, 3}, {1, 0, 0}).shading = Shading::smooth;
+  scene.camera.from = {0, -45};
+  scene.camera.look_at = Vec3(0);
+  scene.camera.parallel = true;
+  scene.camera.window_width = 4;
+  scene.light = Direction{-60, 25};
+  const auto cells = cells_of(scene, square_grid(16, 12));
+  const auto rows = runs_of(scene, square_grid(16, 12), {});
+  int flat = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const DensityRun& run : rows[r]) {
+      if (run.density0 != run.density1) continue;
+      for (int c = static_cast<int>(run.x0) + 2; c + 2 < run.x1; ++c, ++flat)
+        EXPECT_NEAR(cells[r][c], run.density0, 1e-6) << r << ' ' << c;
+    }
+  EXPECT_GT(flat, 20);
+}
+
+/// A sheet in the ground's plane and a body through both share their cells as lines do.
+TEST(Drawing, CellsOfASheetInTheGroundUnderABodyAreTheMeanOfManyScanLines) {
+  Scene scene;
+  add(scene, Box{{3, 3, 1}}, {0, 0, 1}).density_factor = 0.5;  // its top lies in the ground
+  add(scene, Frustum{2, 1, 4, 4}, {0.4, 0.3, 1}, 17).density_factor = 0.3;
+  scene.ground_z = 2;
+  scene.light = Direction{45, 35};
+  scene.camera.from = {-60, 60};
+  expect_mean_of_lines(scene, 4.0 / 256);
 }
 
 TEST(Drawing, OneThreadEqualsMany) {

@@ -54,10 +54,11 @@ CellScanner::CellScanner(const EyeTable& table, double tolerance,
 
 bool CellScanner::crowded() const { return static_cast<double>(clips_.size()) > most_edges_; }
 
-double CellScanner::x_at(const Clip& clip, double y) const {
-  if (y == clip.ya) return clip.xa;
-  if (y == clip.yb) return clip.xb;
-  return table_.edges[clip.edge].x_at(y + top_);
+/// A clip is the straight line between its ends, whatever digits its edge has: a shadow's border on
+/// a face that light grazes comes from 1e16 cells away, in steps of a cell, and would cross others
+/// elsewhere than it is found to.
+double CellScanner::x_at(const Clip& clip, double y) {
+  return y == clip.yb ? clip.xb : clip.xa + (y - clip.ya) * clip.slope;
 }
 
 /// The part of an edge between two heights of the row; horizontal edges are added by gather().
@@ -70,6 +71,7 @@ void CellScanner::add_clip(Index e, double ya, double yb) {
   if (!(c.ya < c.yb)) return;
   c.xa = edge.x_at(a), c.xb = edge.x_at(b);
   c.low = std::min(c.xa, c.xb), c.high = std::max(c.xa, c.xb);
+  c.slope = (c.xb - c.xa) / (c.yb - c.ya);
   clips_.push_back(c);
 }
 
@@ -82,7 +84,7 @@ void CellScanner::gather(const std::vector<Index>& edges, const std::vector<Inde
   for (const Index e : flat_edges) {
     const FlatEdge& flat = table_.flat_edges[e];
     const double y = flat.y - top_;
-    if (y > 0 && y < 1) clips_.push_back({flat.x0, y, flat.x1, y, flat.x0, flat.x1, kNone});
+    if (y > 0 && y < 1) clips_.push_back({flat.x0, y, flat.x1, y, flat.x0, flat.x1, 0, kNone});
   }
 }
 
@@ -325,12 +327,16 @@ void CellScanner::share(std::span<const Vec2> polygon) {
       if (other == face || mine_.size() < 3) continue;
       const bool by_rule = (face == table_.ground && !table_.faces[other].may_cross) ||
                            (other == table_.ground && !table_.faces[face].may_cross);
-      if (by_rule || table_.faces[face].plane == table_.faces[other].plane) {
+      const DepthPlane& q = table_.depths[table_.faces[other].plane];
+      // A face in the ground's plane, or so near to it that doubles cannot tell them apart.
+      const bool together = std::all_of(mine_.begin(), mine_.end(), [&](const Vec2& c) {
+        return compare_roughly(p, q, c.x, c.y + top_) == 0;
+      });
+      if (by_rule || together) {
         const Vec2 middle = middle_of(mine_);
         if (!table_.in_front(face, other, middle.x, middle.y + top_)) mine_.clear();
         continue;
       }
-      const DepthPlane& q = table_.depths[table_.faces[other].plane];
       const auto nearer = [&](const Vec2& c) {
         return p.at(c.x, c.y + top_) - q.at(c.x, c.y + top_);
       };

@@ -52,6 +52,7 @@ class CellScanner {
   struct Clip {
     double xa, ya, xb, yb;
     double low, high;
+    double slope;  ///< dx/dy
     Index edge;
   };
   struct Side {
@@ -76,7 +77,7 @@ class CellScanner {
   void part(std::span<const Vec2> polygon, Index face);
   void share(std::span<const Vec2> polygon);
   Index sole_owner(std::span<const Vec2> polygon);
-  double x_at(const Clip& clip, double y) const;
+  static double x_at(const Clip& clip, double y);
 
   const EyeTable& table_;
   ActiveFaces active_;

@@ -55,6 +55,7 @@ class Builder {
     Index first = kNone;
     Index count = 0;
   };
+  /// `densities` become those of the corners, none when they do not count.
   bool is_smooth(const CanonicalFace& f, bool from_behind, std::vector<double>& densities) const;
   void add_flat(Index face, bool from_behind);
   void add_smooth(Index face, bool from_behind, const std::vector<double>& densities);
@@ -84,10 +85,10 @@ EyeFace Builder::face_base(Index face, bool from_behind) const {
 
 bool Builder::is_smooth(const CanonicalFace& f, bool from_behind,
                         std::vector<double>& densities) const {
+  densities.clear();
   if (f.cut || !c_.bodies[f.body].smooth || c_.corner_normals.empty() || !c_.light) return false;
   if (f.end_loop - f.first_loop != 1) return false;
   const Index first = f.first_loop == 0 ? 0 : c_.loop_ends[f.first_loop - 1];
-  densities.clear();
   for (Index i = first; i < c_.loop_ends[f.first_loop]; ++i)
     densities.push_back(lit_density(c_, c_.bodies[f.body],
                                     from_behind ? -c_.corner_normals[i] : c_.corner_normals[i]));
@@ -148,6 +149,8 @@ void Builder::add_faces() {
       add_smooth(face, from_behind, densities);
     } else {
       add_flat(face, from_behind);
+      // Corners that are all as dark may be darker than the flat face: a symmetrical ridge.
+      if (!densities.empty()) table_.faces.back().density = densities[0];
     }
   }
   const std::vector<char> crossing = bodies_that_may_cross(c_);
@@ -178,6 +181,8 @@ void Builder::add_edges() {
 
 void Builder::add_edge(const Projected& a, const Projected& b, Index f, Index g, Index slot,
                        int winding) {
+  // A corner that rounding has put into the eye's own plane, of a near plane that stands there.
+  if (!std::isfinite(a.at.x + a.at.y + b.at.x + b.at.y)) return;
   if (std::max(a.at.y, b.at.y) < 0 || std::min(a.at.y, b.at.y) > table_.rows ||
       std::min(a.at.x, b.at.x) > table_.columns)
     return;
@@ -267,11 +272,9 @@ EyeTable::EyeTable(const Canonical& canonical_input, const View& view,
 }
 
 bool EyeTable::wins_tie(Index f, Index g) const {
-  const EyeFace& a = faces[f];
-  const EyeFace& b = faces[g];
   if (f == ground || g == ground) return g == ground;
-  if (a.density != b.density) return a.density > b.density;
-  return a.surface != b.surface ? precedes(canonical, a.surface, b.surface) : f < g;
+  const Index a = faces[f].surface, b = faces[g].surface;
+  return a != b ? overstrike::wins_tie(canonical, a, b) : f < g;
 }
 
 }  // namespace overstrike

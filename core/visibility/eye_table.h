@@ -58,8 +58,7 @@ struct EyeTable {
   std::size_t face_count() const { return faces.size(); }
   Index plane_of(Index face) const { return faces[face].plane; }
   bool crosses(Index face) const { return faces[face].may_cross; }
-  /// True when f hides g at a point of equal depth: the darker, then the lexicographically smaller
-  /// plane and vertices.
+  /// True when f hides g at a point of equal depth (tie.h).
   bool wins_tie(Index f, Index g) const;
   /// Sign of depth(f) - depth(g), exact; the ground lies behind every body that does not reach
   /// below it.

@@ -50,8 +50,7 @@ bool FaceOrder::in_front(Index f, Index g, double x, double y) const {
 
 bool FaceOrder::wins_tie(Index f, Index g) const {
   if (f == table_.ground() || g == table_.ground()) return g == table_.ground();
-  const double a = table_.tones[f].density, b = table_.tones[g].density;
-  return a != b ? a > b : precedes(table_.canonical, f, g);
+  return overstrike::wins_tie(table_.canonical, f, g);
 }
 
 }  // namespace overstrike

@@ -25,7 +25,7 @@ class FaceOrder {
   /// Where on the level the two have one depth, whatever the angle at which they cross; NaN or
   /// infinite when they are parallel along it.
   double crossing(Index f, Index g, double y) const;
-  /// f before g at the point, ties decided: the ground last, the darker first.
+  /// f before g at the point, ties decided (tie.h): the ground last.
   bool in_front(Index f, Index g, double x, double y) const;
 
  private:

@@ -6,6 +6,7 @@
 #include "core/in_order.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/ground_polygon.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 
@@ -58,6 +59,7 @@ class Builder {
   void project(Index number);
   void look_at_faces(Index number);
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
+  bool convex(std::span<const Index> loop) const;
   bool walkable(const CanonicalFace& f) const;
   void find_sides(const CanonicalBody& body, Index face);
   void add_side(const Side& side, Index next);
@@ -92,7 +94,9 @@ void Builder::project(Index number) {
     if (view_.perspective) {
       const double w = m[0][2] * p.x + m[1][2] * p.y + m[2][2] * p.z + m[3][2];
       least_w = std::min(least_w, std::fabs(w));
-      at = Vec2(x / w, y / w);
+      // 0 only by rounding, of a near plane that stands at the eye: no place is better than
+      // another.
+      at = w != 0 ? Vec2(x / w, y / w) : Vec2(0.0);
     }
     table_.points[v] = at;
     most = glm::max(most, glm::abs(at));
@@ -105,8 +109,11 @@ void Builder::project(Index number) {
   const double far = std::max(most.x, most.y);
   if (!view_.perspective) least_w = 1;
   const double error = 2 * kEps * (std::max(size.x, size.y) + size.z * far) / least_w + kEps * far;
-  // The ends' own errors, moved along by the slope, and the rounding of x_at itself.
-  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y};
+  // The ends' own errors, moved along by the slope, the rounding of x_at itself, and the height at
+  // which lines are looked at for their own.
+  const double beside =
+      table_.use == FrontUse::picture ? beside_line(table_.columns, table_.rows) : 0;
+  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside};
 }
 
 bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const {
@@ -125,16 +132,30 @@ bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const
     varies = varies || d != at_first;
     sum += d;
   }
-  // Where all are equal it is that, to the last bit: ties are decided by what is equal.
+  // Where all are equal it is that, to the last bit.
   mean = varies ? sum / (end - first) : at_first;
   return varies;
 }
 
-/// A loop that goes up once and down once meets every level in two sides.
+/// No two corners turn opposite ways.
+bool Builder::convex(std::span<const Index> loop) const {
+  const auto at = [&](std::size_t i) { return table_.points[loop[i % loop.size()]]; };
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 a = at(i + 1) - at(i), b = at(i + 2) - at(i + 1);
+    const double turn = a.x * b.y - a.y * b.x;
+    left = left || turn < 0, right = right || turn > 0;
+  }
+  return !(left && right);
+}
+
+/// A loop that goes up once and down once meets every level in two sides. Of open bodies a face may
+/// cross itself, and turn the other way beyond the crossing.
 bool Builder::walkable(const CanonicalFace& f) const {
   if (f.end_loop - f.first_loop != 1) return false;
   const std::span<const Index> loop = c_.loop(f.first_loop);
   if (loop.size() == 3) return true;
+  if (!c_.bodies[f.body].closed && !convex(loop)) return false;
   int turns = 0, direction = 0, first_direction = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const double step =
@@ -335,7 +356,8 @@ void Builder::add_ground() {
   ground.seen = is_seen;
   ground.simple = true;
   const double reach = std::max(table_.columns, table_.rows) + 1;
-  ground.line_error = {6 * kEps * reach, 6 * kEps * reach};
+  ground.line_error = {6 * kEps * reach,
+                       6 * kEps * reach + beside_line(table_.columns, table_.rows)};
   if (!is_seen) return;
   left_.clear(), right_.clear(), inner_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/visibility/projected_scene.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 namespace {
@@ -51,7 +52,7 @@ ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
     : base_(shadow.covered) {
   if (shadow.edges.empty()) return;
   const Box receiver = box_of(table, shadow.receiver);
-  const double error = point_error(table.view, shadow.edges);
+  const Error error{point_error(table.view, shadow.edges), beside_line(table.columns, table.rows)};
   for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view, receiver, error);
   if (lines_.size() > kFew)
     bands_.emplace(table.rows, lines_.size(),
@@ -73,15 +74,18 @@ ReceiverShadow::Box ReceiverShadow::box_of(const FrontTable& table, Index face) 
 /// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the
 /// left, all along it, everywhere.
 void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
-                              double point_error) {
+                              const Error& errors) {
   const Vec2 a = projected(view, edge.a), b = projected(view, edge.b);
   if (a.y == b.y) return;
+  // A corner that rounding has put into the eye's own plane, of a near plane that stands there.
+  if (!std::isfinite(a.x + a.y + b.x + b.y)) return;
   const bool down = a.y < b.y;
   const LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
   if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;
   const double across = std::max(std::fabs(a.x), std::fabs(b.x));
   const double tall = std::max(std::fabs(a.y), std::fabs(b.y));
-  const double error = 2 * point_error * (1 + std::fabs(line.slope)) +
+  const double error = 2 * errors.point +
+                       (2 * errors.point + errors.beside) * std::fabs(line.slope) +
                        4 * kEps * (across + tall * std::fabs(line.slope));
   if (std::min(a.x, b.x) > receiver.high.x + error) return;
   const int winding = down ? edge.winding : -edge.winding;

@@ -42,7 +42,12 @@ class ReceiverShadow {
     Vec2 low, high;
   };
   static Box box_of(const FrontTable& table, Index face);
-  void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, double point_error);
+  /// How far a border's ends may be from where they were meant, and the height beside its line at
+  /// which a level is looked at.
+  struct Error {
+    double point, beside;
+  };
+  void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, const Error& error);
 
   int base_ = 0;  ///< the count to the left of all lines
   std::vector<ShadowLine> lines_;

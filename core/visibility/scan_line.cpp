@@ -8,9 +8,12 @@ namespace {
 class LineScanner : public RunScanner {
  public:
   LineScanner(const SweepTable& table, const ReceiverShadows& shadows, double density_tolerance)
-      : sweep_(table), shader_(table.fronts, shadows, density_tolerance) {}
+      : sweep_(table),
+        shader_(table.fronts, shadows, density_tolerance),
+        beside_(beside_line(table.fronts.columns, table.fronts.rows)) {}
   void resolve(double y, std::vector<DensityRun>& runs) override {
     pieces_.clear();
+    y += beside_;
     sweep_.resolve(y, pieces_);
     shader_.shade(y, pieces_, runs);
   }
@@ -18,6 +21,7 @@ class LineScanner : public RunScanner {
  private:
   RowSweep sweep_;
   RunShader shader_;
+  double beside_;
   std::vector<SpanPiece> pieces_;
 };
 

@@ -33,14 +33,15 @@ void split_at_crossings(const Order& order, std::span<const Index> active, doubl
   double start = x0;
   float start_slack = static_cast<float>(slack0);
   // Each turn takes the face that comes through first; depths are linear, so none comes through
-  // twice.
-  for (std::size_t turns = 0; seen != kNone && turns < active.size() && low < high; ++turns) {
+  // twice, but for one that was passed over.
+  for (std::size_t turns = 0; seen != kNone && turns < 2 * active.size() && low < high; ++turns) {
     double first = high;
     Index next = kNone;
     for (const Index f : active) {
-      if (f == seen || !order.in_front(f, seen, high, y) || order.compare(f, seen, low, y) > 0)
-        continue;
-      const double x = std::clamp(order.crossing(f, seen, y), low, high);
+      if (f == seen || !order.in_front(f, seen, high, y)) continue;
+      // Two that come through nearly together may have done so in the other order.
+      const bool is_past = order.compare(f, seen, low, y) > 0;
+      const double x = is_past ? low : std::clamp(order.crossing(f, seen, y), low, high);
       if (std::isnan(x)) continue;
       const bool nearer =
           next == kNone || x < first || (x == first && order.in_front(f, next, high, y));

@@ -38,8 +38,7 @@ std::vector<Point> sorted_vertices(const Canonical& c, const CanonicalFace& face
   return result;
 }
 
-}  // namespace
-
+/// The order of geometry.
 bool precedes(const Canonical& c, Index f, Index g) {
   const Key a = key(c.planes[c.faces[f].plane]), b = key(c.planes[c.faces[g].plane]);
   if (a != b) return a < b;
@@ -47,6 +46,16 @@ bool precedes(const Canonical& c, Index f, Index g) {
   if (least_a != least_b) return least_a < least_b;
   const auto va = sorted_vertices(c, c.faces[f]), vb = sorted_vertices(c, c.faces[g]);
   return va != vb ? va < vb : f < g;
+}
+
+}  // namespace
+
+bool wins_tie(const Canonical& c, Index f, Index g) {
+  if (c.faces[f].cut != c.faces[g].cut) return c.faces[f].cut;
+  const CanonicalBody &a = c.bodies[c.faces[f].body], &b = c.bodies[c.faces[g].body];
+  if (a.density_factor != b.density_factor) return a.density_factor > b.density_factor;
+  if (a.smooth != b.smooth) return b.smooth;
+  return precedes(c, f, g);
 }
 
 }  // namespace overstrike

@@ -238,11 +238,11 @@ struct Oracle::Impl {
       if (order > 0) nearest.clear();
       if (order >= 0) nearest.push_back(&m);
     }
-    if (!ground_seen) return darkest(nearest);
+    if (!ground_seen) return first_of(nearest);
     const Hit h = hit(sight, ground);
-    if (!is_there(h)) return darkest(nearest);
+    if (!is_there(h)) return first_of(nearest);
     const int order = nearest.empty() ? 1 : compare_depth(h, nearest.front()->at);
-    return order > 0 ? ground_at(h) : darkest(nearest);
+    return order > 0 ? ground_at(h) : first_of(nearest);
   }
 
   int compare(const Meeting& a, const Meeting& b) const {
@@ -251,23 +251,17 @@ struct Oracle::Impl {
   }
 
   /// Law 5, at one depth.
-  Seen darkest(const std::vector<const Meeting*>& tied) const {
-    Seen best;
-    double best_away = 0;
-    for (const Meeting* m : tied) {
-      const double away = density_away_from_shadow(*m);
-      const Seen s = face_at(*m, away);
-      const bool wins = best.face == kNone          ? true
-                        : s.density != best.density ? s.density > best.density
-                        : away != best_away         ? away > best_away
-                                                    : precedes(s.face, best.face);
-      if (wins) best = s, best_away = away;
-    }
-    return best;
+  Seen first_of(const std::vector<const Meeting*>& tied) const {
+    const Meeting* best = nullptr;
+    for (const Meeting* m : tied)
+      if (best == nullptr || precedes(m->face, best->face)) best = m;
+    return best != nullptr ? face_at(*best) : Seen{};
   }
 
-  /// Law 5, among equal densities.
   bool precedes(Index a, Index b) const {
+    const CanonicalBody &c = in.bodies[in.faces[a].body], &d = in.bodies[in.faces[b].body];
+    if (c.density_factor != d.density_factor) return c.density_factor > d.density_factor;
+    if (c.smooth != d.smooth) return d.smooth;
     const Plane &p = in.planes[in.faces[a].plane], &q = in.planes[in.faces[b].plane];
     if (less(p.normal, q.normal) || less(q.normal, p.normal)) return less(p.normal, q.normal);
     if (p.offset != q.offset) return p.offset < q.offset;
@@ -299,15 +293,17 @@ struct Oracle::Impl {
   }
 
   /// Law 6.
-  Seen face_at(const Meeting& m, double away_from_shadow) const {
+  Seen face_at(const Meeting& m) const {
     const CanonicalFace& f = in.faces[m.face];
-    Seen s{m.face, f.body, Kind::lit, away_from_shadow};
+    Seen s{m.face, f.body, Kind::lit};
+    s.density = s.away_from_shadow = density_away_from_shadow(m);
+    s.in_shadow = clamped(in.law.hmax * in.bodies[f.body].density_factor);
     if (!in.light) return s;
     if (faces[m.face].light_side * faces[m.face].eye_side <= 0) {
       s.kind = Kind::shade;
     } else if (shadowed(m.at, f.plane)) {
       s.kind = Kind::shadow;
-      s.density = clamped(in.law.hmax * in.bodies[f.body].density_factor);
+      s.density = s.in_shadow;
     }
     return s;
   }
@@ -340,7 +336,7 @@ struct Oracle::Impl {
       return shade(seen_side * glm::dot(in.corner_normals[i], *in.light),
                    in.bodies[f.body].density_factor);
     };
-    // Equal corners are not interpolated: ties are decided by what is equal to the last bit.
+    // Equal corners are not interpolated: their density is that to the last bit.
     double best_inside = -INFINITY, best = corner(first);
     for (Index i = first + 1; i + 1 < end; ++i) {
       const Vec3 b = barycentric(q, first, i, i + 1);

@@ -21,10 +21,11 @@
 //     darkest, then the body of the smallest number.
 //  4. The ground is the plane Z = ground_z, seen from above only. It hides what lies below it. Lit
 //     ground is bare paper.
-//  5. The nearest point wins. Among equal depths (faces of one plane) the darker wins, then the one
-//     that is darker away from shadows, then the lexicographically smaller plane (normal x, y, z,
-//     offset), then the smaller sorted list of vertices. A face that lies in the ground is seen
-//     before it, whatever their densities.
+//  5. The nearest point wins. Among equal depths (faces of one plane) the face of the greater
+//     density factor wins, which is the darker one wherever both are flat; then a flat body's
+//     before a smooth one's, then the lexicographically smaller plane (normal x, y, z, offset),
+//     then the smaller sorted list of vertices. A face that lies in the ground is seen before it,
+//     whatever their densities.
 //  6. With light L (towards it), a face with dot(seen-side normal, L) <= 0 is shade. Otherwise the
 //     hit point Q on its stored plane is in shadow when the ray Q + t L, t > 0, meets a face of
 //     another plane: the outline is taken along L, t = (offset - n.Q) / (n.L) from the stored
@@ -52,6 +53,7 @@ struct Seen {
   Index body = kNone;
   Kind kind = Kind::lit;
   double density = 0;
+  double away_from_shadow = 0, in_shadow = 0;  ///< of a face: what density it has when it is (not)
 
   bool paper() const { return face == kNone && kind == Kind::lit; }
   /// The same thing is seen (whatever its density; of bodies that are cut at one place any).

@@ -56,11 +56,19 @@ bool has_body_behind(const Canonical& c, const CanonicalBody& body, Index f, dou
   return true;
 }
 
+/// Nothing of it lies behind any of its faces: a surface that is folded onto itself.
+bool is_flat(const Canonical& c, const CanonicalBody& body) {
+  const Index plane = c.faces[body.first_face].plane;
+  return std::all_of(c.faces.begin() + body.first_face, c.faces.begin() + body.end_face,
+                     [&](const CanonicalFace& f) { return f.plane == plane; });
+}
+
 /// What keeps a body from being drawn, or nothing.
 std::string fault_of(const Canonical& c, const CanonicalBody& body) {
   const double touch = kTouch * reach_of(c, body);
   const Index faces = body.end_face - body.first_face;
   if (!body.closed && faces != 1) return "is neither closed nor one flat polygon";
+  if (body.closed && faces > 0 && is_flat(c, body)) return "is closed but has no inside";
   for (Index f = body.first_face; f < body.end_face; ++f) {
     const CanonicalFace& face = c.faces[f];
     if (face.end_loop - face.first_loop != 1)

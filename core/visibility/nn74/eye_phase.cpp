@@ -6,6 +6,7 @@
 #include "core/visibility/depth.h"
 #include "core/visibility/nn74/convex_view.h"
 #include "core/visibility/nn74/pairs.h"
+#include "core/visibility/tie.h"
 
 namespace overstrike::nn74 {
 namespace {
@@ -135,14 +136,6 @@ void Builder::order_pairs() {
               [](const Picture::Order& p, const Picture::Order& q) { return p.other < q.other; });
 }
 
-std::vector<std::array<double, 3>> sorted_vertices(const Canonical& c, Index face) {
-  std::vector<std::array<double, 3>> result;
-  for (const Index v : c.loop(c.faces[face].first_loop))
-    result.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 }  // namespace
 
 void Outline::add(const Vec2& a, const Vec2& b, Index face, bool own) {
@@ -178,10 +171,7 @@ int Picture::front(Index a, Index b) const {
 }
 
 bool Picture::wins_tie(Index f, Index g) const {
-  if (faces[f].density != faces[g].density) return faces[f].density > faces[g].density;
-  const auto p = sorted_vertices(canonical, faces[f].face);
-  const auto q = sorted_vertices(canonical, faces[g].face);
-  return p != q ? p < q : f < g;
+  return overstrike::wins_tie(canonical, faces[f].face, faces[g].face);
 }
 
 Picture look(const Canonical& seen, const View& view, const LightPhase& light) {

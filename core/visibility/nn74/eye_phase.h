@@ -72,8 +72,8 @@ struct Picture {
 
   /// 1 when body a is in front of body b, -1 when it is behind, 0 when neither hides the other.
   int front(Index a, Index b) const;
-  /// True when f hides g though both lie in one plane: the darker, then the lexicographically
-  /// smaller plane and vertices (the house's rule; the paper has no coplanar faces).
+  /// True when f hides g though both lie in one plane (the house's rule, tie.h; the paper has no
+  /// coplanar faces).
   bool wins_tie(Index f, Index g) const;
 };
 

@@ -78,6 +78,7 @@ Painter::Painter(const Picture& picture, const std::vector<std::vector<Index>>& 
     : picture_(picture), bands_(bands), line_(picture) {}
 
 void Painter::resolve(double y, std::vector<DensityRun>& runs) {
+  y += beside_line(picture_.columns, picture_.rows);
   line_.clear();
   for (const Outline& shadow : picture_.ground_shadows) {
     const Border* left = active(shadow.left, y);

@@ -2,6 +2,9 @@
 // shadows in face coordinates, cells.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <span>
+
 #include "core/drawing.h"
 #include "core/visibility/nn74/conditions.h"
 #include "core/visibility/nn74/light_phase.h"
@@ -87,6 +90,20 @@ TEST(Nn74Refuses, OpenBodies) {
                                 std::string(shape_name(*scene.bodies[0].shape)) +
                                 " 'tent' is neither closed nor one flat polygon (method line draws "
                                 "it)\n");
+}
+
+/// All four faces of the tetrahedron lie in one plane.
+TEST(Nn74Refuses, BodiesFoldedOntoThemselves) {
+  Scene scene;
+  Mesh folded;
+  for (const Vec3& p : {Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(2, 2, 1), Vec3(0, 2, 1)})
+    folded.polyhedron.add_vertex(p);
+  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    folded.polyhedron.add_face(std::span<const Index>(face));
+  named(add(scene, folded), "napkin", 9);
+  EXPECT_EQ(refusal(scene), "scene.yaml:9:5: error: method nn74: " +
+                                std::string(shape_name(*scene.bodies[0].shape)) +
+                                " 'napkin' is closed but has no inside (method line draws it)\n");
 }
 
 TEST(Nn74Refuses, SmoothBodies) {

@@ -81,7 +81,7 @@ void try_all(const TinyScene& tiny) {
   expect_jump_equals_step(drawing, rows);
   if (tiny.asked.threads) expect_threads_agree(prepared);
   if (tiny.asked.order) expect_order_does_not_count(tiny.scene, rows);
-  if (tiny.asked.means) expect_means(drawing);
+  if (tiny.asked.means) expect_means(drawing, place_error_of(*prepared.canonical, prepared.view));
   if (tiny.asked.method) expect_method_agrees(tiny.scene, judge);
 }
 

@@ -22,8 +22,15 @@ struct Prepared {
   std::shared_ptr<const Canonical> canonical;
 };
 
+/// How far the place of a point in the grid may be off by the rounding of the world's coordinates
+/// and of their products with the view's matrix, each 2 eps of the sum of sizes, for the nearest
+/// point that is seen. Much only where a view magnifies without
+/// end.
+double place_error_of(const Canonical& canonical, const View& view);
+
 struct DrawnLine {
-  oracle::Line line;
+  oracle::Line line;  ///< where it is looked at,
+  double beside;      ///< so far beside the line that was asked for (beside_line())
   std::int64_t index;
   double from, to;  ///< where the line lies in the grid
   std::vector<DensityRun> runs;
@@ -43,6 +50,6 @@ void draw_strokes(Drawing& drawing, std::size_t bodies);
 bool same_bits(const DensityRun& a, const DensityRun& b);
 
 /// Law: cells are the means of many lines, to within the tolerance and what lines can miss.
-void expect_means(Drawing& drawing);
+void expect_means(Drawing& drawing, double place_error);
 
 }  // namespace overstrike::fuzz
