@@ -20,7 +20,7 @@ int threads_of(int threads) {
 
 }  // namespace
 
-std::size_t slots_for(int threads) { return 4 * static_cast<std::size_t>(threads_of(threads)); }
+std::size_t slots_for(int threads) { return 2 * static_cast<std::size_t>(threads_of(threads)); }
 
 void in_parallel(std::size_t count, int threads, std::size_t grain,
                  const std::function<void(std::size_t, std::size_t)>& work) {
