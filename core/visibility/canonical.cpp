@@ -1,5 +1,4 @@
 #include "core/visibility/canonical.h"
-#include "core/visibility/plane_rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +8,10 @@
 #include "core/geometry/direction.h"
 #include "core/geometry/tessellate.h"
 #include "core/geometry/weld_planes.h"
+#include "core/large_pages.h"
 #include "core/visibility/camera_frame.h"
 #include "core/visibility/placed_shapes.h"
+#include "core/visibility/plane_rounding.h"
 #include "core/visibility/view.h"
 
 namespace overstrike {
@@ -104,6 +105,9 @@ class Assembler {
     out_.vertices.reserve(vertices), out_.corners.reserve(corners), out_.loop_ends.reserve(loops);
     out_.faces.reserve(faces), out_.edges.reserve(edges), samples_.reserve(faces);
     if (any_smooth_) out_.corner_normals.reserve(corners);
+    prefer_large_pages(out_.bodies), prefer_large_pages(out_.vertices);
+    prefer_large_pages(out_.corners), prefer_large_pages(out_.loop_ends);
+    prefer_large_pages(out_.faces), prefer_large_pages(out_.edges);
   }
 
   void add(const PlacedShape& placed) {
@@ -196,6 +200,7 @@ class Assembler {
     const WeldedPlanes welded = weld_planes(
         samples_, errors_, out_.vertices, [this] { return neighbours(); }, out_.corners);
     out_.planes.reserve(welded.representative.size());
+    prefer_large_pages(out_.planes);
     std::vector<Index> number(welded.representative.size(), kNone);
     std::size_t grouped = 0;
     for (std::size_t b = 0; b < out_.bodies.size(); ++b) {

@@ -25,10 +25,11 @@ struct Plane {
 struct CanonicalFace {
   Index first_loop, end_loop;  ///< in Canonical::loop_ends
   Index plane;                 ///< in Canonical::planes
-  Index body;
-  bool flipped;  ///< the face's outward normal is the plane's, negated
-  bool cut;      ///< a cap that clipping made
+  Index body : 30;
+  bool flipped : 1;  ///< the face's outward normal is the plane's, negated
+  bool cut : 1;      ///< a cap that clipping made
 };
+static_assert(sizeof(CanonicalFace) == 16);
 
 /// Winged edge: `left` is the face that has (from, to) in its loop, `right` the one that has (to,
 /// from); kNone at the border of an open body. `left` != kNone.

@@ -9,11 +9,6 @@ namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();  // 2 u, u the unit roundoff
 
-/// A sum of four products of doubles rounds by at most 4 u sum |terms| (three additions, one
-/// product each), 4 u = 2 kEps; doubled for the rounding of the bound itself and of a factor that
-/// was itself rounded once.
-constexpr double kDotError = 4 * kEps;
-
 Expansion minor3(const Mat4& m, int row, int column) {
   int r[3], c[3];
   for (int i = 0, k = 0; i < 4; ++i)
@@ -69,61 +64,10 @@ DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& f
 
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
 // z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
-DepthMap::Image DepthMap::image(Index number) const {
-  const Vec4 pi = homogeneous(plane(number));
-  Image image{};
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const double term = pi[i] * rounded_[i][j];
-      image.value[j] += term;
-      image.size[j] += std::fabs(term);
-    }
-  return image;
-}
-
-// |z - exact z| <= 2 (|x| e_x + |y| e_y + e_w + |z| e_z) / |pi'_z| while pi'_z keeps its first
-// digits: e_j bound the errors of the components of pi', here for all normals of unit length, and
-// the factor covers the rounding of this and of z itself, which is at most as large.
-DepthMap::Range::Range(const DepthMap& map, const Vec2& reach) : map_(map) {
-  const double at[3] = {reach.x, reach.y, 1};
-  sizes_ = sizes_by_offset_ = 0;
-  for (int j = 0; j < 3; ++j) {
-    sizes_ += at[j] * map_.normal_size_[j];
-    sizes_by_offset_ += at[j] * std::fabs(map_.rounded_[3][j]);
-  }
-}
-
-bool DepthMap::Range::add(Index number, std::span<const Index> corners, const Vec2* points) {
-  const Plane& p = map_.plane(number);
-  const auto& m = map_.rounded_;
-  const auto value = [&](int j) {
-    return p.normal.x * m[0][j] + p.normal.y * m[1][j] + p.normal.z * m[2][j] - p.offset * m[3][j];
-  };
-  const double offset = std::fabs(p.offset);
-  const double z = value(3), size_z = map_.normal_size_[3] + offset * std::fabs(m[3][3]);
-  constexpr double kFirstDigits = 1e-3;
-  if (!(kDotError * size_z <= kFirstDigits * std::fabs(z))) {
-    low = -HUGE_VAL, high = HUGE_VAL;
-    return map_.depth(number).has_value();
-  }
-  const double over = -1 / z;
-  const double a = value(0) * over, b = value(1) * over, c = value(2) * over;
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const Index corner : corners) {
-    const double depth = a * points[corner].x + b * points[corner].y + c;
-    least = std::min(least, depth), most = std::max(most, depth);
-  }
-  const double farthest = std::max(std::fabs(least), std::fabs(most));
-  const double sizes = sizes_ + offset * sizes_by_offset_ + farthest * size_z;
-  const double error = 4 * kDotError * sizes * std::fabs(over);
-  low = std::min(low, least - error), high = std::max(high, most + error);
-  return true;
-}
-
 std::optional<DepthPlane> DepthMap::depth(Index number) const {
-  const Image pi = image(number);
+  const Plane& p = plane(number);
   double value[4], error[4];
-  for (int j = 0; j < 4; ++j) value[j] = pi.value[j], error[j] = kDotError * pi.size[j];
+  for (int j = 0; j < 4; ++j) value[j] = component(p, j), error[j] = kDotError * size(p, j);
   // Rows of the view's matrix are in the order x^, y^, w^, z^. When cancellation has left few
   // digits of pi'_z, take them exactly.
   constexpr double kDigitsWanted = 1e-13;

@@ -13,6 +13,11 @@
 
 namespace overstrike {
 
+/// A sum of four products of doubles rounds by at most 4 u sum |terms| (three additions, one
+/// product each), 4 u = 2 eps; doubled for the rounding of the bound itself and of a factor that
+/// was itself rounded once.
+constexpr double kDotError = 4 * 0x1p-52;
+
 /// z = a x + b y + c over the grid (larger is nearer), off from the exact depth of the stored plane
 /// through the stored matrix by at most ea |x| + eb |y| + ec.
 struct DepthPlane {
@@ -42,27 +47,18 @@ class DepthMap {
   std::optional<DepthPlane> depth(Index plane) const;
   /// The plane as the view's matrix takes it.
   ExactPlane exact(Index plane) const;
-  /// Bounds of the depths of some faces, whose points' coordinates are at most `reach`.
-  class Range {
-   public:
-    Range(const DepthMap& map, const Vec2& reach);
-    /// Widens the bounds by the plane's depth over some points. False when it passes through the
-    /// eye.
-    bool add(Index plane, std::span<const Index> corners, const Vec2* points);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-
-   private:
-    const DepthMap& map_;
-    double sizes_, sizes_by_offset_;  ///< of terms but those of pi'_z
-  };
 
  private:
-  /// Of the plane as the view's matrix takes it: the components, and the sums of the sizes of their
-  /// terms.
-  struct Image {
-    double value[4], size[4];
-  };
-  Image image(Index plane) const;
+  friend class DepthRange;
+  /// Component j of the plane as the view's matrix takes it.
+  double component(const Plane& plane, int j) const {
+    return plane.normal.x * rounded_[0][j] + plane.normal.y * rounded_[1][j] +
+           plane.normal.z * rounded_[2][j] - plane.offset * rounded_[3][j];
+  }
+  /// A bound of the sum of its terms' sizes.
+  double size(const Plane& plane, int j) const {
+    return normal_size_[j] + std::fabs(plane.offset * rounded_[3][j]);
+  }
 
   const std::vector<Plane>& planes_;
   const std::vector<Plane>& further_;
@@ -97,10 +93,8 @@ class DepthField {
 
 /// Sign of a . x + b . y + ... over four components, in exact arithmetic.
 int sign_of_dot_exactly(const Vec4& p, const Vec4& q);
-/// The same: by doubles where they can tell. Each product and each partial sum is rounded by half
-/// an eps: at most 2 eps of the sum of sizes, doubled to cover that this was itself rounded.
+/// The same: by doubles where they can tell.
 inline int sign_of_dot(const Vec4& p, const Vec4& q) {
-  constexpr double kDotError = 4 * 0x1p-52;
   const double t0 = p.x * q.x, t1 = p.y * q.y, t2 = p.z * q.z, t3 = p.w * q.w;
   const double sum = ((t0 + t1) + t2) + t3;
   const double size = ((std::fabs(t0) + std::fabs(t1)) + std::fabs(t2)) + std::fabs(t3);

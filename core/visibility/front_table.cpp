@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "core/in_order.h"
+#include "core/large_pages.h"
 #include "core/shading/density_law.h"
+#include "core/visibility/depth_range.h"
 #include "core/visibility/ground_polygon.h"
 #include "core/visibility/run_source.h"
 
@@ -58,6 +60,8 @@ class Builder {
  private:
   void project(Index number);
   void look_at_faces(Index number);
+  bool all_triangles(const CanonicalBody& body) const;
+  FaceTone tone_of(const CanonicalFace& f, bool behind) const;
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool convex(std::span<const Index> loop) const;
   bool walkable(const CanonicalFace& f) const;
@@ -170,48 +174,55 @@ bool Builder::walkable(const CanonicalFace& f) const {
   return turns <= 2;
 }
 
+/// Loops have three corners or more: so many of them are three each.
+bool Builder::all_triangles(const CanonicalBody& body) const {
+  if (body.first_face == body.end_face) return false;
+  const Index faces = body.end_face - body.first_face;
+  const Index end_loop = c_.faces[body.end_face - 1].end_loop;
+  return end_loop - c_.faces[body.first_face].first_loop == faces &&
+         c_.loop_ends[end_loop - 1] - body.first_corner == 3 * faces;
+}
+
+FaceTone Builder::tone_of(const CanonicalFace& f, bool behind) const {
+  const FaceShade shade = shade_of(c_, f, behind);
+  FaceTone tone{shade.density, f.body, shade.lit ? Kind::lit : Kind::shade, false};
+  if (f.cut) tone.kind = Kind::cut;
+  tone.smooth = is_smooth(f, behind, tone.density);
+  return tone;
+}
+
 void Builder::look_at_faces(Index number) {
   const CanonicalBody& body = c_.bodies[number];
   FrontBody& front = table_.bodies[number];
-  DepthMap::Range depths(table_.depths, reach_);
-  bool from_front = false, from_behind = false, walk = true, triangles = true;
+  front.triangles = all_triangles(body);
+  DepthRange depths(table_.depths, reach_);
+  const bool picture = table_.use == FrontUse::picture;
+  bool from_front = false, from_behind = false, walk = true;
   for (Index i = body.first_face; i < body.end_face; ++i) {
     const CanonicalFace& f = c_.faces[i];
-    triangles = triangles && c_.loop_ends[f.end_loop - 1] - c_.first_corner(f.first_loop) == 3;
     const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
     const bool behind = side < 0;
     if (side == 0 || (behind && body.closed && !f.cut)) continue;
-    // The depth of a plane over a face is extreme at its corners.
-    const Index first = c_.first_corner(f.first_loop), end = c_.loop_ends[f.end_loop - 1];
-    if (!depths.add(f.plane, {c_.corners.data() + first, c_.corners.data() + end},
-                    table_.points.data()))
-      continue;
+    const Index first = front.triangles ? body.first_corner + 3 * (i - body.first_face)
+                                        : c_.first_corner(f.first_loop);
+    const Index count = front.triangles ? 3 : c_.loop_ends[f.end_loop - 1] - first;
+    if (!depths.add(f.plane, {c_.corners.data() + first, count}, table_.points.data())) continue;
     table_.sides[i] = behind ? -1 : 1;
-    if (table_.use == FrontUse::picture) {
-      FaceTone& tone = table_.tones[i];
-      tone.body = number;
-      const FaceShade shade = shade_of(c_, f, behind);
-      tone.kind = f.cut ? Kind::cut : (shade.lit ? Kind::lit : Kind::shade);
-      tone.density = shade.density;
-      tone.smooth = is_smooth(f, behind, tone.density);
-    }
+    if (picture) table_.tones[i] = tone_of(f, behind);
     // A body that passes through itself may be inside out where it is cut: its cap looks to the
     // eye, but turns the other way. So do thin faces that are off their planes.
-    if (f.cut || !body.on_planes || table_.use == FrontUse::outlines) {
+    if (f.cut || !body.on_planes || !picture) {
       const auto point = [&](Index j) { return table_.points[c_.corners[first + j]]; };
-      const double area =
-          end - first == 3 ? area_of(point(0), point(1), point(2)) : area_of(table_, i);
+      const double area = count == 3 ? area_of(point(0), point(1), point(2)) : area_of(table_, i);
       front.turned |= behind ? area > 0 : area < 0;
     }
     front.seen = true;
     (behind ? from_behind : from_front) = true;
-    walk = walk && walkable(f);
+    walk = walk && (front.triangles || walkable(f));
   }
   front.far_z = depths.low, front.near_z = depths.high;
-  front.triangles = triangles;
   front.simple = body.simple, front.on_planes = body.on_planes;
-  const bool folds = front.turned && table_.use == FrontUse::picture;
-  front.loose = front.seen && (!walk || folds || (from_front && from_behind));
+  front.loose = front.seen && (!walk || (front.turned && picture) || (from_front && from_behind));
 }
 
 /// Between two seen faces.
@@ -388,6 +399,8 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       depths(canonical.planes, further_planes, view) {
   // Room, not memory, until it is used.
   if (use == FrontUse::picture) small_sides.reserve(canonical.edges.size());
+  prefer_large_pages(points), prefer_large_pages(tones), prefer_large_pages(bodies);
+  prefer_large_pages(small_sides);
   // By what a part costs, its faces. Alone, one goes over each body once.
   constexpr std::size_t kFacesAtOnce = 4096;
   const std::size_t faces_a_body = canonical.faces.size() / (canonical.bodies.size() + 1) + 1;

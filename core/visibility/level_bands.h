@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/geometry/polyhedron.h"
+#include "core/large_pages.h"
 #include "core/unset_vector.h"
 
 namespace overstrike {
@@ -36,6 +37,7 @@ class LevelBands {
     each([&](std::size_t b, const Item&) { ++start_[b + 1]; });
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
     items_.resize(start_.back());
+    prefer_large_pages(items_);
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
     each([&](std::size_t b, const Item& item) { items_[next[b]++] = item; });
   }

@@ -11,9 +11,6 @@ namespace overstrike {
 namespace {
 
 constexpr double kEps = 0x1p-52;
-/// A sum of four products rounds by at most 2 kEps of the sum of their sizes; doubled for the
-/// rounding of that sum.
-constexpr double kDotError = 4 * kEps;
 
 /// What a gap without digits of its own is said to be: far below any that has.
 constexpr double kSmallest = 0x1p-400;
