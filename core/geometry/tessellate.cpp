@@ -1,7 +1,9 @@
 #include "core/geometry/tessellate.h"
+#include "core/float_environment.h"
 
 #include <algorithm>
 
+#include "core/float_environment.h"
 #include "core/geometry/shape_faces.h"
 
 namespace overstrike {
@@ -36,6 +38,7 @@ void drop_lone_planes(Polyhedron& p) {
 }
 
 Polyhedron tessellate(const Shape& shape, double chord, bool normals) {
+  const FloatEnvironment ours;
   const auto round = [&](const auto& s) { return faces_of(s, chord, normals); };
   return std::visit(Overloaded{[&](const Frustum& s) { return round(s); },
                                [&](const Ellipsoid& s) { return round(s); },

@@ -217,9 +217,22 @@ class Assembler {
         }
         face.plane = number[group];
         face.flipped = glm::dot(normal, out_.planes[face.plane].normal) < 0;
+        put_on_axis_plane(face);
       }
     }
     samples_ = {}, errors_ = {}, grouped_normals_ = {};
+  }
+
+  /// Vertices of faces that share a plane across an axis share its coordinate: a line along the
+  /// seam of two bodies must not look between them. They move by no more than they may be off.
+  void put_on_axis_plane(const CanonicalFace& face) {
+    const Plane& plane = out_.planes[face.plane];
+    int axis = 0;
+    while (axis < 3 && plane.normal[axis] != 1) ++axis;
+    if (axis == 3 || glm::dot(plane.normal, plane.normal) != 1) return;
+    const Index end = out_.loop_ends[face.end_loop - 1];
+    for (Index i = out_.first_corner(face.first_loop); i < end; ++i)
+      out_.vertices[out_.corners[i]][axis] = plane.offset;
   }
 
   /// Of samples, as faces number them until they are welded.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -52,10 +53,7 @@ class Merger {
     std::vector<Index> order(pieces_.size());
     std::iota(order.begin(), order.end(), 0);
     for (const LinePiece& p : pieces_) lengths_.push_back(length_of(p));
-    std::stable_sort(order.begin(), order.end(), [&](Index p, Index q) {
-      const int a = rank_of(pieces_[p].kind), b = rank_of(pieces_[q].kind);
-      return a != b ? a < b : lengths_[p] > lengths_[q];
-    });
+    std::sort(order.begin(), order.end(), [&](Index p, Index q) { return key(p) < key(q); });
     stamp_.assign(pieces_.size(), kNever);
     for (const Index p : order) add(p);
     return std::move(kept_);
@@ -63,6 +61,21 @@ class Merger {
 
  private:
   static constexpr Index kNever = 0xFFFFFFFFu;
+
+  /// The smaller goes before.
+  std::array<double, 8> key(Index p) const {
+    const LinePiece& piece = pieces_[p];
+    const auto [low, high] =
+        std::minmax({std::pair(piece.a.x, piece.a.y), std::pair(piece.b.x, piece.b.y)});
+    return {static_cast<double>(rank_of(piece.kind)),
+            -lengths_[p],
+            -piece.density_factor,
+            low.first,
+            low.second,
+            high.first,
+            high.second,
+            static_cast<double>(piece.pen)};
+  }
 
   double reach(const LinePiece& p, const LinePiece& q) const {
     return kErrorsOfPair * (p.error + q.error);

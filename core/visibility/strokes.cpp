@@ -27,11 +27,13 @@ std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceInd
   const Vec2 page(scene.view.grid.columns, scene.view.grid.rows);
   std::vector<LinePiece> pieces;
   for (const SightLine& line : lines) {
+    const bool of_body = line.body < scene.canonical.bodies.size();
+    const double factor = of_body ? scene.canonical.bodies[line.body].density_factor : 0;
     const double error = line.a.grid.error + line.b.grid.error;
     for (const Interval& part : resolver.visible(line))
       pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
                         glm::clamp(line.at(part.second), Vec2(0), page), error, line.kind,
-                        line.body, line.pen, line.curved});
+                        line.body, line.pen, line.curved, factor});
   }
   return pieces;
 }

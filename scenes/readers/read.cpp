@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/float_environment.h"
 #include "scenes/readers/mesh.h"
 #include "scenes/readers/nearest.h"
 #include "scenes/readers/source_text.h"
@@ -102,6 +103,7 @@ Scene mesh_scene(Mesh mesh, const std::string& name) {
 }  // namespace
 
 ReadResult read_scene(const std::filesystem::path& path) {
+  const FloatEnvironment ours;
   check_kind(path);
   std::string format = lower_case(path.extension().string());
   if (!format.empty()) format.erase(0, 1);
@@ -114,6 +116,7 @@ ReadResult read_scene(const std::filesystem::path& path) {
 
 ReadResult read_scene_text(std::string_view text, std::string_view format, const std::string& name,
                            const std::filesystem::path& folder) {
+  const FloatEnvironment ours;
   if (is_yaml(format)) {
     if (text.size() > kLargestSceneFile) fail_for_size(name);
     return yaml::read_scene(text, name, folder);

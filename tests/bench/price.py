@@ -19,7 +19,7 @@ LIMIT = 0.01
 
 # Feature: (files of core, words), both regular expressions. Only what is in core counts.
 FEATURES = {
-    "light": (r"shadow|light", r"shadow|winding|light|covered"),
+    "light": (r"shadow|light|caster|plane_gap", r"shadow|winding|light|covered"),
     "ground": (r"ground", r"ground"),
     "smooth": (r"smooth", r"smooth|bent"),
     "patterns": (r"pattern", r"pattern"),
