@@ -183,7 +183,7 @@ struct Drawing::Impl {
   void clip_near() {
     Stopwatch watch;
     clipped = view.near_plane && needs_clip(*whole, *view.near_plane);
-    if (clipped) cut = clip(*whole, *view.near_plane);
+    if (clipped) cut = clip(*whole, *view.near_plane, view.eye);
     timings.eye_ms += watch.ms();
   }
 

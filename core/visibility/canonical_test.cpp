@@ -11,6 +11,7 @@
 #include "core/geometry/direction.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/clip.h"
+#include "core/visibility/depth.h"
 #include "core/visibility/view.h"
 
 namespace overstrike {
@@ -279,6 +280,11 @@ TEST(Canonical, PatternsAndSegmentsArePlaced) {
   EXPECT_EQ(c.segments.size(), 1u);
 }
 
+/// Seen from far away on the side that is cut off.
+Canonical cut(const Canonical& c, const Plane& keep) {
+  return clip(c, keep, Vec4(-keep.normal, 0));
+}
+
 TEST(Clip, HalvesAddUpAndStayClosed) {
   std::mt19937_64 random(31);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -291,12 +297,12 @@ TEST(Clip, HalvesAddUpAndStayClosed) {
   for (int i = 0; i < 40; ++i) {
     const Plane keep{unit(Vec3(u(random), u(random), u(random))), u(random)};
     ASSERT_TRUE(needs_clip(c, keep));
-    const Canonical a = clip(c, keep), b = clip(c, {-keep.normal, -keep.offset});
+    const Canonical a = cut(c, keep), b = cut(c, {-keep.normal, -keep.offset});
     expect_sound(a);
     for (const CanonicalBody& part : a.bodies) EXPECT_TRUE(part.closed);
     EXPECT_NEAR(volume(a) + volume(b), volume(c), 1e-12 * volume(c));
     EXPECT_FALSE(
-        needs_clip(clip(a, {keep.normal, keep.offset - 1e-9}), {keep.normal, keep.offset - 1e-9}));
+        needs_clip(cut(a, {keep.normal, keep.offset - 1e-9}), {keep.normal, keep.offset - 1e-9}));
     EXPECT_EQ(a.corner_normals.size(), a.corners.size());
   }
 }
@@ -309,7 +315,7 @@ TEST(Clip, CapsAreCutFacesThatLookToTheRemovedSide) {
   scene.bodies.push_back(body(shape(Box{}), {Mat3(1.0), {0, 0, -5}}));
   scene.segments.push_back({{3, 0, 0}, {3, 0, 1}, 4});
   scene.bodies[0].patterns.push_back({{{0.5, 0, 0}, {0.5, 0, 1}, {0.5, 0.25, 0}}, 0});
-  const Canonical c = clip(canon(scene).canonical, {{0, 0, 1}, 0.25});
+  const Canonical c = cut(canon(scene).canonical, {{0, 0, 1}, 0.25});
   ASSERT_EQ(c.bodies.size(), 2u);
   std::vector<CanonicalFace> caps;
   for (const CanonicalFace& f : c.faces)
@@ -323,6 +329,60 @@ TEST(Clip, CapsAreCutFacesThatLookToTheRemovedSide) {
   EXPECT_EQ(c.patterns[0].points.size(), 3u);
   const Canonical whole = canon(scene).canonical;
   EXPECT_FALSE(needs_clip(whole, {{0, 0, 1}, -5}));
+}
+
+/// Vertices that lie in the clip plane, where the stored plane of their face is one last place
+/// beyond or before it: what is stored decides.
+TEST(Clip, FacesNearlyInThePlaneAreWhereTheirPlanesAre) {
+  Scene scene;
+  scene.camera.look_at = Vec3(0.0);                                     // the origin of the view
+  scene.bodies.push_back(body(shape(Box{}), {Mat3(1.0), {0, 0, -1}}));  // from -1 to 0
+  Canonical c = canon(scene).canonical;
+  const Plane keep{{0, 0, 1}, 0};
+  EXPECT_TRUE(cut(c, keep).bodies.empty());
+  for (Plane& p : c.planes)
+    if (p.offset == 0 && p.normal.z == 1) p.offset = 0x1p-52;
+  const Canonical kept = cut(c, keep);
+  ASSERT_EQ(kept.bodies.size(), 1u);
+  EXPECT_TRUE(kept.bodies[0].closed);
+  EXPECT_EQ(std::count_if(kept.faces.begin(), kept.faces.end(),
+                          [](const CanonicalFace& f) { return f.cut; }),
+            1);
+  const Plane turned{{0, 0, -1}, 0};
+  EXPECT_TRUE(needs_clip(c, turned));
+  for (Plane& p : c.planes)
+    if (p.offset == 0x1p-52) p.offset = -0x1p-52;
+  EXPECT_TRUE(cut(c, keep).bodies.empty());
+  EXPECT_FALSE(needs_clip(c, turned));
+}
+
+/// A sheet is seen from either side; cut between a corner that faces the light and one that does
+/// not, it keeps its tones.
+TEST(Clip, TonesOfSheetsStayWhereTheyAre) {
+  Mesh mesh;
+  mesh.polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  mesh.polyhedron.add_face({0, 1, 2});
+  mesh.polyhedron.corner_normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, -1}};
+  Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
+  scene.light = Direction{0, 90};
+  scene.bodies.push_back(body(std::make_shared<const Shape>(std::move(mesh))));
+  scene.bodies[0].shading = Shading::smooth;
+  const Canonical c = canon(scene).canonical;
+  for (const double side : {1.0, -1.0}) {
+    const Vec4 eye(0, side, 0, 0);
+    const bool behind = side_of_eye(c.planes[c.faces[0].plane], c.faces[0].flipped, eye) < 0;
+    const auto tone = [&](const Canonical& of, Index corner) {
+      const Vec3 normal = of.corner_normals[corner];
+      return lit_density(of, of.bodies[0], behind ? -normal : normal);
+    };
+    const Canonical half = clip(c, {{0, 0, 1}, 0.25}, eye);
+    for (Index i = 0; i < half.corners.size(); ++i) {
+      const double z = half.vertices[half.corners[i]].z;
+      EXPECT_NEAR(tone(half, i), (1 - z) * tone(c, 0) + z * tone(c, 2), 0x1p-50)
+          << side << ' ' << z;
+    }
+  }
 }
 
 TEST(DensityLaw, IsNishitaAndNakamaes) {
@@ -352,10 +412,10 @@ TEST(DensityLaw, IsNishitaAndNakamaes) {
   scene.light.reset();
   EXPECT_DOUBLE_EQ(shade({0, 0, -1}).density, 0.9 * (1 - 0.8));
   EXPECT_TRUE(shade({0, 0, -1}).lit);
-  const Canonical cut = clip(canon(scene).canonical, {{0, 0, 1}, 0.5});
-  for (const CanonicalFace& f : cut.faces)
+  const Canonical half = cut(canon(scene).canonical, {{0, 0, 1}, 0.5});
+  for (const CanonicalFace& f : half.faces)
     if (f.cut) {
-      EXPECT_DOUBLE_EQ(shade_of(cut, f, false).density, 0.45);
+      EXPECT_DOUBLE_EQ(shade_of(half, f, false).density, 0.45);
     }
 }
 

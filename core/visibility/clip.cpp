@@ -1,10 +1,13 @@
 #include "core/visibility/clip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "core/geometry/cut_polyhedron.h"
 #include "core/geometry/winged_edges.h"
+#include "core/visibility/clip_heights.h"
+#include "core/visibility/depth.h"
 #include "core/visibility/plane_rounding.h"
 
 namespace overstrike {
@@ -95,10 +98,12 @@ Fanned fanned(const Polyhedron& p) {
   return result;
 }
 
-/// Takes from normals what points away from the light. Tones are the same, and become linear in
-/// them, so that corners that are cut between have the tone that was there.
-void turn_to_light(std::vector<Vec3>& normals, const Vec3& light) {
-  for (Vec3& normal : normals) normal -= light * std::min(0.0, glm::dot(normal, light));
+/// Takes from a normal what points away from the light on the side of the face that is seen. Tones
+/// are the same, and become linear in it, so that corners that are cut between have the tone that
+/// was there.
+Vec3 turned_to_light(const Vec3& normal, const Vec3& light, bool from_behind) {
+  const double towards = glm::dot(normal, light);
+  return normal - light * (from_behind ? std::max(0.0, towards) : std::min(0.0, towards));
 }
 
 /// The pieces of a polyline on the positive side.
@@ -119,7 +124,8 @@ std::vector<std::vector<Vec3>> cut_polyline(const std::vector<Vec3>& points, con
 
 class Clipper {
  public:
-  Clipper(const Canonical& in, const Plane& keep) : in_(in), keep_(keep) {}
+  Clipper(const Canonical& in, const Plane& keep, const Vec4& eye)
+      : in_(in), keep_(keep), eye_(eye) {}
 
   Canonical clip() {
     out_.planes = in_.planes;
@@ -139,12 +145,9 @@ class Clipper {
 
  private:
   void add_body(const CanonicalBody& body) {
+    clip_heights(in_, body, keep_, heights_);
     double lowest = 0, highest = 0;
-    for (Index v = body.first_vertex; v < body.end_vertex; ++v) {
-      const double h = height(keep_, in_.vertices[v]);
-      lowest = std::min(lowest, h);
-      highest = std::max(highest, h);
-    }
+    for (const double h : heights_) lowest = std::min(lowest, h), highest = std::max(highest, h);
     if (lowest >= 0) return copy(body);
     if (highest > 0) cut(body);
   }
@@ -199,10 +202,8 @@ class Clipper {
 
   void cut(const CanonicalBody& body) {
     Fanned whole = fanned(polyhedron_of(in_, body));
-    if (in_.light && body.closed) turn_to_light(whole.polyhedron.corner_normals, *in_.light);
-    std::vector<double> heights;
-    for (const Vec3& p : whole.polyhedron.vertices) heights.push_back(height(keep_, p));
-    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights, keep_.normal, body.closed);
+    if (in_.light && !whole.polyhedron.corner_normals.empty()) turn_to_light(body, whole);
+    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights_, keep_.normal, body.closed);
     for (Index& source : cut.face_source)
       if (!is_cap(source)) source = whole.source[source];
     if (cut.polyhedron.face_count() == 0) return;
@@ -213,6 +214,18 @@ class Clipper {
       add_face(cut.polyhedron, f, face_like(body, cut.face_source[f]), result.first_vertex);
     add_edges(body, cut, whole.ribs, result);
     end(result);
+  }
+
+  /// Faces of open bodies are seen from either side.
+  void turn_to_light(const CanonicalBody& body, Fanned& fans) const {
+    Polyhedron& p = fans.polyhedron;
+    for (Index f = 0; f < p.face_count(); ++f) {
+      const CanonicalFace& face = in_.faces[body.first_face + fans.source[f]];
+      const bool behind =
+          !body.closed && side_of_eye(in_.planes[face.plane], face.flipped, eye_) < 0;
+      for (Index i = p.first_index(p.first_loop(f)); i < p.loop_ends[p.face_ends[f] - 1]; ++i)
+        p.corner_normals[i] = turned_to_light(p.corner_normals[i], *in_.light, behind);
+    }
   }
 
   CanonicalFace face_like(const CanonicalBody& body, Index source) {
@@ -259,9 +272,28 @@ class Clipper {
 
   const Canonical& in_;
   const Plane keep_;
+  const Vec4 eye_;
   Index cap_plane_ = kNone;
+  std::vector<double> heights_;  ///< of the present body's vertices
   Canonical out_;
 };
+
+/// Whether a body has vertices that count as beyond the plane. As a rule they all lie far from it,
+/// and that tells.
+bool needs_cut(const Canonical& c, const Plane& keep) {
+  double lowest = HUGE_VAL, reach = 0;
+  for (const Vec3& p : c.vertices) {
+    lowest = std::min(lowest, height(keep, p));
+    reach = std::max({reach, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  const bool far = lowest > clip_rounding(keep, 3 * reach);
+  std::vector<double> heights;
+  return std::any_of(c.bodies.begin(), c.bodies.end(), [&](const CanonicalBody& body) {
+    if (far && body.on_planes) return false;
+    clip_heights(c, body, keep, heights);
+    return std::any_of(heights.begin(), heights.end(), [](double h) { return h < 0; });
+  });
+}
 
 }  // namespace
 
@@ -270,15 +302,15 @@ bool needs_clip(const Canonical& canonical, const Plane& keep) {
   const auto any = [&](const std::vector<Vec3>& points) {
     return std::any_of(points.begin(), points.end(), beyond);
   };
-  if (any(canonical.vertices)) return true;
+  if (needs_cut(canonical, keep)) return true;
   for (const CanonicalPattern& pattern : canonical.patterns)
     if (any(pattern.points)) return true;
   return std::any_of(canonical.segments.begin(), canonical.segments.end(),
                      [&](const Segment& s) { return beyond(s.from) || beyond(s.to); });
 }
 
-Canonical clip(const Canonical& canonical, const Plane& keep) {
-  Canonical clipped = Clipper(canonical, keep).clip();
+Canonical clip(const Canonical& canonical, const Plane& keep, const Vec4& eye) {
+  Canonical clipped = Clipper(canonical, keep, eye).clip();
   note_bodies_on_planes(clipped);
   return clipped;
 }

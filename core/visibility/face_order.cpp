@@ -1,5 +1,7 @@
 #include "core/visibility/face_order.h"
 
+#include <limits>
+
 #include "core/visibility/tie.h"
 
 namespace overstrike {
@@ -32,15 +34,26 @@ int FaceOrder::compare(Index f, Index g, double x, double y) const {
 }
 
 double FaceOrder::crossing(Index f, Index g, double y) const {
+  const DepthPlane at_f = depth_of(f);
+  return crossing(at_f, plane_of(f), depth_of(g), plane_of(g), y);
+}
+
+double FaceOrder::crossing_of_planes(Index p, Index q, double y) const {
+  const std::optional<DepthPlane> at_p = table_.depths.depth(p), at_q = table_.depths.depth(q);
+  if (!at_p || !at_q) return std::numeric_limits<double>::quiet_NaN();
+  return crossing(*at_p, p, *at_q, q, y);
+}
+
+double FaceOrder::crossing(const DepthPlane& p, Index plane_p, const DepthPlane& q, Index plane_q,
+                           double y) const {
   // Grid units: no device and no test tells a smaller displacement of an end.
   constexpr double kGoodEnough = 1e-9;
-  const DepthPlane p = depth_of(f), q = depth_of(g);
   const double slope = p.a - q.a;
   const double x = -((p.b - q.b) * y + (p.c - q.c)) / slope;
   const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
   if (error <= kGoodEnough * std::fabs(slope)) return x;
   make_room();
-  return crossing_exactly(exact_of(plane_of(f)), exact_of(plane_of(g)), y);
+  return crossing_exactly(exact_of(plane_p), exact_of(plane_q), y);
 }
 
 bool FaceOrder::in_front(Index f, Index g, double x, double y) const {

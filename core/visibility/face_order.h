@@ -25,11 +25,15 @@ class FaceOrder {
   /// Where on the level the two have one depth, whatever the angle at which they cross; NaN or
   /// infinite when they are parallel along it.
   double crossing(Index f, Index g, double y) const;
+  /// The same of two planes, to the bit; NaN also where the eye is in one of them.
+  double crossing_of_planes(Index p, Index q, double y) const;
   /// f before g at the point, ties decided (tie.h): the ground last.
   bool in_front(Index f, Index g, double x, double y) const;
 
  private:
   bool wins_tie(Index f, Index g) const;
+  double crossing(const DepthPlane& p, Index plane_p, const DepthPlane& q, Index plane_q,
+                  double y) const;
   const ExactPlane& exact_of(Index plane) const;
   /// Before two calls of exact_of().
   void make_room() const;

@@ -117,7 +117,9 @@ void Builder::project(Index number) {
   // which lines are looked at for their own.
   const double beside =
       table_.use == FrontUse::picture ? beside_line(table_.columns, table_.rows) : 0;
-  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside};
+  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside,
+                      4 * kEps * std::max(size.x, size.y) / least_w + beside,
+                      4 * kEps * size.z / least_w};
 }
 
 bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const {
@@ -367,8 +369,8 @@ void Builder::add_ground() {
   ground.seen = is_seen;
   ground.simple = true;
   const double reach = std::max(table_.columns, table_.rows) + 1;
-  ground.line_error = {6 * kEps * reach,
-                       6 * kEps * reach + beside_line(table_.columns, table_.rows)};
+  const double beside = beside_line(table_.columns, table_.rows);
+  ground.line_error = {6 * kEps * reach, 6 * kEps * reach + beside, beside, 0};
   if (!is_seen) return;
   left_.clear(), right_.clear(), inner_.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

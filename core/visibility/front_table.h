@@ -38,11 +38,42 @@ struct LevelLine {
 /// kMostSlack. A line nearly along the levels may be farther off at one of them; but spans wider
 /// than that are no slivers between sides that should be one, and must not be left to their
 /// neighbours.
-constexpr double kMostSlack = 1e-6;
+///
+/// The constants are those of the body's farthest point. Where a body passes the eye that is far
+/// outside of the grid; a line that is not has a bound of its own, which is asked for where the
+/// body's is more than kSmallSlack: what no device and no test tells.
+constexpr double kMostSlack = 1e-6, kSmallSlack = 1e-9;
 struct LineError {
-  double constant = 0, per_slope = 0;
+  float constant = 0, per_slope = 0;
+  /// Of what x^ and y^ round: everywhere. Of what w^ does: for each unit that the line passes the
+  /// grid's origin by, as that takes points towards the origin or away from it.
+  float everywhere = 0, radial = 0;
+
+  /// Rounds the bounds up.
+  LineError() = default;
+  LineError(double for_all, double for_slope, double for_sums, double for_w)
+      : constant(up(for_all)),
+        per_slope(up(for_slope)),
+        everywhere(up(for_sums)),
+        radial(up(for_w)) {}
+
   double of(const LevelLine& line) const {
-    return std::fmin(constant + per_slope * std::fabs(line.slope), kMostSlack);
+    const double error = constant + double{per_slope} * std::fabs(line.slope);
+    return error <= kSmallSlack ? error : std::fmin(own(line, error), kMostSlack);
+  }
+
+ private:
+  static float up(double bound) { return static_cast<float>(bound * (1 + 0x1p-20)); }
+  /// To these come the quotients' own rounding and that of x_at, of which this is four times as
+  /// much: FrontWalker relies on that.
+  double own(const LevelLine& line, double error) const {
+    constexpr double kRounding = 24 * 0x1p-52;
+    const double s = std::fabs(line.slope);
+    const double x = std::fmax(std::fabs(line.x0), std::fabs(line.x_at(line.y1)));
+    const double y = std::fmax(std::fabs(line.y0), std::fabs(line.y1));
+    return std::fmin(error, everywhere * (1 + s) +
+                                radial * std::fabs(line.x0 - line.slope * line.y0) +
+                                kRounding * (x + s * y));
   }
 };
 

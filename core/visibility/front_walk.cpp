@@ -193,10 +193,11 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   Vec2 top = points[corners[side.corner]], bottom = points[corners[after(side.corner, first)]];
   if (behind) std::swap(top, bottom);
   double from = front.from, until = front.until;
+  const double constant = error.constant, per_slope = error.per_slope;
   const auto add = [&](Index face) {
     from = std::max(from, top.y), until = std::min(until, bottom.y);
     const double slope = (bottom.x - top.x) / (bottom.y - top.y);
-    const double slack = std::min(error.constant + error.per_slope * std::fabs(slope), kMostSlack);
+    const double slack = std::min(constant + per_slope * std::fabs(slope), kMostSlack);
     sides_.push_back({top.x, top.y, bottom.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {

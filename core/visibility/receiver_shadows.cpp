@@ -49,7 +49,7 @@ struct Crossing {
 }  // namespace
 
 ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
-    : base_(shadow.covered) {
+    : plane_(table.plane_of(shadow.receiver)), base_(shadow.covered) {
   if (shadow.edges.empty()) return;
   const Box receiver = box_of(table, shadow.receiver);
   const Error error{point_error(table.view, shadow.edges), beside_line(table.columns, table.rows)};
@@ -93,18 +93,30 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
     base_ += winding;
   } else {
-    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding});
+    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding,
+                      error > kMostSlack ? edge.plane : kNone});
   }
 }
 
-void ReceiverShadow::on_level(double y, std::vector<ShadowSpan>& spans) const {
+/// Not past the border's own ends.
+double ReceiverShadow::crossing(const ShadowLine& border, double y, const FaceOrder& order) const {
+  const LevelLine& line = border.line;
+  const double x = order.crossing_of_planes(border.plane, plane_, y);
+  if (std::isnan(x)) return line.x_at(y);
+  const auto [low, high] = std::minmax({line.x0, line.x_at(line.y1)});
+  return std::clamp(x, low, high);
+}
+
+void ReceiverShadow::on_level(double y, const FaceOrder& order,
+                              std::vector<ShadowSpan>& spans) const {
   constexpr std::size_t kMost = 64;
   Crossing few[kMost];
   std::vector<Crossing> many;
   std::size_t count = 0;
   const auto meet = [&](const ShadowLine& s) {
     if (!(s.line.y0 <= y && y < s.line.y1)) return;
-    const Crossing crossing{s.line.x_at(y), s.slack, s.winding};
+    const double x = s.plane == kNone ? s.line.x_at(y) : crossing(s, y, order);
+    const Crossing crossing{x, s.slack, s.winding};
     if (count < kMost) few[count] = crossing;
     if (count >= kMost) {
       if (count == kMost) many.assign(few, few + kMost);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/visibility/face_order.h"
 #include "core/visibility/front_table.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/shadows.h"
@@ -22,6 +23,10 @@ struct ShadowLine {
   LevelLine line;
   float slack;
   int winding;
+  /// Of the caster, where it passes through the receiver's nearly along the levels: kMostSlack does
+  /// not bound the line's error there. What is seen ends where the two planes cross, too, and the
+  /// shadow ends there to the bit. Else kNone.
+  Index plane;
 };
 
 /// The shadow on one receiver.
@@ -31,7 +36,7 @@ class ReceiverShadow {
   ReceiverShadow(const FrontTable& table, const Shadow& shadow);
   /// Appends where the level is in shadow on the receiver's plane, from left to right; right over
   /// the receiver itself only.
-  void on_level(double y, std::vector<ShadowSpan>& spans) const;
+  void on_level(double y, const FaceOrder& order, std::vector<ShadowSpan>& spans) const;
   /// No border passes over the receiver: it is in shadow all over, or not at all.
   bool uniform() const { return lines_.empty(); }
   bool begins_in_shadow() const { return base_ != 0; }
@@ -49,7 +54,10 @@ class ReceiverShadow {
   };
   void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, const Error& error);
 
-  int base_ = 0;  ///< the count to the left of all lines
+  double crossing(const ShadowLine& border, double y, const FaceOrder& order) const;
+
+  Index plane_ = kNone;  ///< the receiver's
+  int base_ = 0;         ///< the count to the left of all lines
   std::vector<ShadowLine> lines_;
   std::optional<LevelBands> bands_;  ///< where there are many lines
 };

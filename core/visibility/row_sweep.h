@@ -19,6 +19,7 @@ class RowSweep {
   /// Appends the pieces on the level, from left to right, within [0, columns); what is no piece is
   /// paper. Neighbours of one face are one piece.
   void resolve(double y, std::vector<SpanPiece>& pieces);
+  const FaceOrder& faces() const { return faces_; }
 
  private:
   /// One of the fronts that may meet: the side that is reached, and the depth of its face on the

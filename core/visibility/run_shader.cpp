@@ -38,7 +38,7 @@ void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& s
   std::vector<ShadowSpan>& spans = ground ? ground_spans_ : spans_;
   if (!ground || !ground_spans_known_) {
     spans.clear();
-    shadow.on_level(y, spans);
+    shadow.on_level(y, order_, spans);
     ground_spans_known_ |= ground;
   }
   SpanPiece left = piece;

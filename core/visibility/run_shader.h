@@ -18,8 +18,9 @@ class RunShader {
  public:
   /// `density_tolerance`: a run whose density bends farther than this from a straight line is
   /// split.
-  RunShader(const FrontTable& table, const ReceiverShadows& shadows, double density_tolerance)
-      : table_(table), shadows_(shadows), density_tolerance_(density_tolerance) {}
+  RunShader(const FrontTable& table, const ReceiverShadows& shadows, const FaceOrder& order,
+            double density_tolerance)
+      : table_(table), shadows_(shadows), order_(order), density_tolerance_(density_tolerance) {}
 
   /// Appends the runs of one level.
   void shade(double y, const std::vector<SpanPiece>& pieces, std::vector<DensityRun>& runs);
@@ -47,6 +48,7 @@ class RunShader {
 
   const FrontTable& table_;
   const ReceiverShadows& shadows_;
+  const FaceOrder& order_;
   double density_tolerance_;
   Index spans_of_ = kNone;  ///< the face whose shadow spans are in spans_
   ShadowCaster::Scratch scratch_;

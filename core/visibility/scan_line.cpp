@@ -9,7 +9,7 @@ class LineScanner : public RunScanner {
  public:
   LineScanner(const SweepTable& table, const ReceiverShadows& shadows, double density_tolerance)
       : sweep_(table),
-        shader_(table.fronts, shadows, density_tolerance),
+        shader_(table.fronts, shadows, sweep_.faces(), density_tolerance),
         beside_(beside_line(table.fronts.columns, table.fronts.rows)) {}
   void resolve(double y, std::vector<DensityRun>& runs) override {
     pieces_.clear();

@@ -25,6 +25,7 @@ void sum_up(const ShadowBorder* first, const ShadowBorder* end, std::vector<Shad
   }
   std::sort(changes.begin(), changes.end());
   SidePart part = first->part;
+  part.plane = kNone;
   int winding = 0;
   for (std::size_t i = 0; i < changes.size();) {
     const double t = changes[i].first;
@@ -54,9 +55,11 @@ void assign(ShadowPolygon& polygon, const std::vector<Vec2>& corners) {
     polygon.push_back(whole_side(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]));
 }
 
-void go_on_to(const Vec2& point, ShadowPolygon& polygon) {
+void go_on_to(const Vec2& point, Index plane, ShadowPolygon& polygon) {
   const Vec2 end = polygon.back().to();
-  if (end != point) polygon.push_back(whole_side(end, point));
+  if (end == point) return;
+  polygon.push_back(whole_side(end, point));
+  polygon.back().plane = plane;
 }
 
 void cancel(std::vector<ShadowBorder>& borders) {
@@ -71,6 +74,7 @@ void cancel(std::vector<ShadowBorder>& borders) {
     for (; j < borders.size() && side_of(borders[j]) == side_of(sum); ++j) {
       same = same && same_part(borders[j], borders[i]);
       sum.winding += borders[j].winding;
+      if (borders[j].part.plane != sum.part.plane) sum.part.plane = kNone;
     }
     if (!same) {
       sum_up(&borders[i], borders.data() + j, sums);

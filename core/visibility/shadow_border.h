@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/visibility/canonical.h"
 
 namespace overstrike {
 
@@ -15,6 +16,8 @@ namespace overstrike {
 struct SidePart {
   Vec2 a, b;
   double t0, t1;
+  /// Where a caster was cut: its plane, which passes through the receiver's here. Else kNone.
+  Index plane = kNone;
 
   Vec2 at(double t) const { return t == 0 ? a : t == 1 ? b : a + (b - a) * t; }
   Vec2 from() const { return at(t0); }
@@ -32,10 +35,11 @@ void assign(ShadowPolygon& polygon, const std::vector<Vec2>& corners);
 
 /// Keeps what of a closed polygon lies where a linear function is not negative: `heights` are its
 /// values where the parts begin. `crossing(i)` is where it vanishes on the side of part i, from a
-/// to b; it is asked where part i has a positive and a negative end.
+/// to b; it is asked where part i has a positive and a negative end. `plane` is that of the parts
+/// along the cut.
 template <class Crossing>
 void cut(const ShadowPolygon& polygon, const std::vector<double>& heights, const Crossing& crossing,
-         ShadowPolygon& result);
+         Index plane, ShadowPolygon& result);
 
 /// A border that adds `winding` to the count, from right to left of a -> b; t0 < t1.
 struct ShadowBorder {
@@ -49,12 +53,12 @@ void cancel(std::vector<ShadowBorder>& borders);
 /// The count of borders round a point.
 int winding_at(const Vec2& p, const std::vector<ShadowBorder>& borders);
 
-/// Closes what has been cut open: goes on from the last part's end to the point.
-void go_on_to(const Vec2& point, ShadowPolygon& polygon);
+/// Closes what has been cut open: goes on from the last part's end to the point, along a plane.
+void go_on_to(const Vec2& point, Index plane, ShadowPolygon& polygon);
 
 template <class Crossing>
 void cut(const ShadowPolygon& polygon, const std::vector<double>& heights, const Crossing& crossing,
-         ShadowPolygon& result) {
+         Index plane, ShadowPolygon& result) {
   result.clear();
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -67,10 +71,10 @@ void cut(const ShadowPolygon& polygon, const std::vector<double>& heights, const
       const double t = std::min(std::max(low, crossing(i)), high);
       (from > 0 ? part.t1 : part.t0) = t;
     }
-    if (from <= 0 && !result.empty()) go_on_to(part.from(), result);
+    if (from <= 0 && !result.empty()) go_on_to(part.from(), plane, result);
     result.push_back(part);
   }
-  if (!result.empty()) go_on_to(result.front().from(), result);
+  if (!result.empty()) go_on_to(result.front().from(), plane, result);
 }
 
 }  // namespace overstrike

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -25,6 +26,9 @@ class Draw {
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
 
+/// Of what is cut: any number.
+constexpr Index kPlane = 7;
+
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 ShadowPolygon cut_by(const std::vector<Vec2>& corners, const std::vector<double>& heights) {
@@ -35,7 +39,7 @@ ShadowPolygon cut_by(const std::vector<Vec2>& corners, const std::vector<double>
     if (polygon[i].t0 == 1) std::swap(a, b);
     return a / (a - b);
   };
-  cut(polygon, heights, crossing, result);
+  cut(polygon, heights, crossing, kPlane, result);
   return result;
 }
 
@@ -56,6 +60,32 @@ TEST(ShadowBorder, WhatIsCutIsClosed) {
     for (std::size_t k = 0; k < left.size(); ++k)
       EXPECT_EQ(left[k].to(), left[k + 1 == left.size() ? 0 : k + 1].from());
   }
+}
+
+/// The sides that were there before keep no plane, however they are cut.
+TEST(ShadowBorder, WhatRunsAlongTheCutIsOfItsPlane) {
+  Draw draw(4);
+  int along = 0, kept = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<Vec2> corners{draw.corner(), draw.corner(), draw.corner()};
+    ShadowPolygon sides;
+    assign(sides, corners);
+    for (const SidePart& part : cut_by(corners, {draw.height(), draw.height(), draw.height()})) {
+      const bool old = std::any_of(sides.begin(), sides.end(), [&](const SidePart& side) {
+        return side.a == part.a && side.b == part.b;
+      });
+      const bool whole = std::fabs(part.t1 - part.t0) == 1;
+      if (!old) {
+        EXPECT_EQ(part.plane, kPlane);
+      } else if (!whole) {
+        EXPECT_EQ(part.plane, kNone);
+      }
+      kept += old && !whole;
+      along += part.plane == kPlane;
+    }
+  }
+  EXPECT_GT(along, 1000);
+  EXPECT_GT(kept, 1000);
 }
 
 /// A triangle's height is linear: a point of it is kept where that is not negative.

@@ -68,7 +68,7 @@ struct ShadowCaster::Impl {
   void leave_faces(Index body, const ShadowReceiver& r, Work& work) const;
   void leave_face(Index face, const ShadowReceiver& r, Work& work) const;
   void leave_crossed(Index face, const ShadowReceiver& r, Work& work) const;
-  bool take_above(Index loop, const PlaneGap& gap, Work& work) const;
+  bool take_above(Index loop, Index plane, const PlaneGap& gap, Work& work) const;
   void leave(const ShadowReceiver& r, int winding, Work& work) const;
   const std::vector<Vec2>& outline_of(const ShadowReceiver& r, Work& work) const;
   bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
@@ -229,7 +229,7 @@ void ShadowCaster::Impl::leave_faces(Index body, const ShadowReceiver& r, Work& 
 
 /// Sets the polygon to what of the loop lies above the receiver's plane, across the light. False
 /// when nothing does.
-bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) const {
+bool ShadowCaster::Impl::take_above(Index l, Index plane, const PlaneGap& gap, Work& work) const {
   const std::span<const Index> loop = whole.loop(l);
   work.heights.resize(loop.size());
   bool above = false, below = false;
@@ -248,7 +248,7 @@ bool ShadowCaster::Impl::take_above(Index l, const PlaneGap& gap, Work& work) co
     return gap.crossing(whole.vertices[loop[a]], whole.vertices[loop[b]], work.heights[a],
                         work.heights[b]);
   };
-  cut(work.polygon, work.heights, crossing, work.polygon_cut);
+  cut(work.polygon, work.heights, crossing, plane, work.polygon_cut);
   work.polygon.swap(work.polygon_cut);
   return true;
 }
@@ -259,7 +259,7 @@ void ShadowCaster::Impl::leave_face(Index g, const ShadowReceiver& r, Work& work
   const FrontBody& body = light.bodies[f.body];
   const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(body));
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
-    if (!take_above(l, gap, work) || separate(outline_of(r, work), work.polygon)) continue;
+    if (!take_above(l, f.plane, gap, work) || separate(outline_of(r, work), work.polygon)) continue;
     const bool turns_left = body.turned ? area_of(light, g) > 0 : !light.from_behind(g);
     leave(r, turns_left ? 1 : -1, work);
   }
@@ -272,7 +272,7 @@ void ShadowCaster::Impl::leave_crossed(Index g, const ShadowReceiver& r, Work& w
   const PlaneGap gap(whole.planes[f.plane], r.plane, frame.light, reach_of(light.bodies[f.body]));
   std::vector<std::vector<Vec2>> loops;
   for (Index l = f.first_loop; l < f.end_loop; ++l) {
-    if (!take_above(l, gap, work)) continue;
+    if (!take_above(l, f.plane, gap, work)) continue;
     std::vector<Vec2>& loop = loops.emplace_back();
     for (const SidePart& part : work.polygon) loop.push_back(part.from());
   }
@@ -307,7 +307,7 @@ void ShadowCaster::Impl::leave(const ShadowReceiver& r, int winding, Work& work)
       const double a = height(polygon[i].a), b = height(polygon[i].b);
       return a / (a - b);
     };
-    cut(polygon, work.heights, crossing, work.polygon_cut);
+    cut(polygon, work.heights, crossing, kNone, work.polygon_cut);
     polygon.swap(work.polygon_cut);
   };
   if (r.body != kNone) {
@@ -367,8 +367,8 @@ Shadow ShadowCaster::Impl::cast_on(const ShadowReceiver& r, Work& work) const {
   }
   shadow.edges.reserve(work.edges.size());
   for (const ShadowBorder& border : work.edges)
-    shadow.edges.push_back(
-        {lifted(r, frame, border.part.from()), lifted(r, frame, border.part.to()), border.winding});
+    shadow.edges.push_back({lifted(r, frame, border.part.from()),
+                            lifted(r, frame, border.part.to()), border.winding, border.part.plane});
   return shadow;
 }
 

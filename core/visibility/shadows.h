@@ -32,6 +32,7 @@ namespace overstrike {
 struct ShadowEdge {
   Vec3 a, b;
   int winding;
+  Index plane = kNone;  ///< of a caster, where it passes through the receiver's along this piece
 };
 
 /// What the light leaves on one receiver. Without edges, `covered` says whether all of it is in

@@ -144,7 +144,7 @@ Index Trial::first_in_plane(Index body, const Plane& plane, bool flipped) const 
 
 void Trial::learn_numbers() {
   if (!view_.near_plane || !needs_clip(*canonical_, *view_.near_plane)) return;
-  const Canonical drawn = clip(*canonical_, *view_.near_plane);
+  const Canonical drawn = clip(*canonical_, *view_.near_plane, view_.eye);
   std::map<Index, Index> body_of_source;
   for (Index b = 0; b < canonical_->bodies.size(); ++b)
     body_of_source[canonical_->bodies[b].source] = b;

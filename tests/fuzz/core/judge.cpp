@@ -51,7 +51,7 @@ Judge::Judge(const Canonical& canonical, const View& view)
       oracle_(canonical, view),
       crossings_(canonical, view) {
   clipped_ = view.near_plane && needs_clip(canonical, *view.near_plane);
-  if (clipped_) left_ = clip(canonical, *view.near_plane);
+  if (clipped_) left_ = clip(canonical, *view.near_plane, view.eye);
   for (const CanonicalBody& b : left_.bodies)
     for (Index i = 0; i < in_.bodies.size(); ++i)
       if (in_.bodies[i].source == b.source) body_of_drawn_.push_back(i);

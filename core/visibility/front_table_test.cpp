@@ -1,0 +1,86 @@
+#include "core/visibility/front_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "core/visibility/clip.h"
+
+namespace overstrike {
+namespace {
+
+constexpr Grid kGrid{16, 12, 1, 1};
+
+struct Drawn {
+  View view;
+  Canonical canonical;
+};
+
+/// A box that the eye looks along the side of, from just beside it: cut at the near plane, its
+/// corners there are thousands of cells outside of the grid.
+Drawn box_beside_the_eye(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  Scene scene;
+  scene.camera.eye = Vec3(u(random), 0, u(random));
+  scene.camera.target = scene.camera.eye.value() + Vec3(1, 0.01 * u(random), 0.01 * u(random));
+  Body body;
+  body.shape = std::make_shared<const Shape>(Box{{8, 2, 8}});
+  body.placement.offset = {0, 1 + std::ldexp(1 + u(random), -20), 0};
+  scene.bodies.push_back(body);
+  Drawn drawn{make_view(scene, kGrid), {}};
+  std::vector<Diagnostic> warnings;
+  drawn.canonical =
+      clip(canonicalize(scene, drawn.view, 0.05, warnings), *drawn.view.near_plane, drawn.view.eye);
+  return drawn;
+}
+
+/// In 64 bits of mantissa: 2^11 times as near as what is bounded.
+struct Point {
+  long double x, y;
+};
+Point projected(const View& view, const Vec3& p) {
+  const auto row = [&](int r) {
+    long double sum = view.matrix[3][r];
+    for (int i = 0; i < 3; ++i) sum += static_cast<long double>(view.matrix[i][r]) * p[i];
+    return sum;
+  };
+  return {row(0) / row(2), row(1) / row(2)};
+}
+
+/// Wherever in the grid a line is met it is off by no more than its bound; and the bound of one
+/// that passes through the grid is small although the body's own is not.
+TEST(LineError, BoundsEveryLineOfABodyThatPassesTheEye) {
+  std::mt19937_64 random(5);
+  int through = 0;
+  for (int n = 0; n < 200; ++n) {
+    const Drawn d = box_beside_the_eye(random);
+    const FrontTable table(d.canonical, d.view, FrontUse::picture, 1);
+    for (const WingedEdge& e : d.canonical.edges) {
+      const Vec2 &a = table.points[e.from], &b = table.points[e.to];
+      if (a.y == b.y) continue;
+      const LevelLine line = a.y < b.y ? LevelLine(a, b) : LevelLine(b, a);
+      const LineError& bound = table.bodies[0].line_error;
+      const Point p = projected(d.view, d.canonical.vertices[e.from]),
+                  q = projected(d.view, d.canonical.vertices[e.to]);
+      for (const double y : {0.25, 3.0, 6.0, 11.5}) {
+        if (!(line.y0 <= y && y < line.y1)) continue;
+        const double x = line.x_at(y);
+        if (!(x >= 0 && x <= kGrid.columns)) continue;
+        const long double exact = p.x + (y - p.y) * ((q.x - p.x) / (q.y - p.y));
+        const double error = static_cast<double>(std::fabs(x - exact));
+        if (bound.of(line) == kMostSlack) continue;
+        EXPECT_LE(error, bound.of(line));
+        if (std::fabs(line.slope) > 1 || bound.constant < 2e-9) continue;
+        EXPECT_LT(bound.of(line), 1e-9);
+        ++through;
+      }
+    }
+  }
+  EXPECT_GT(through, 100);
+}
+
+}  // namespace
+}  // namespace overstrike
