@@ -11,6 +11,7 @@
 //
 // A body that has no such front at too many levels, or that is seen from both sides, is *loose*:
 // its edges are laid out for an active edge list (loose_edges.h).
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -93,6 +94,7 @@ struct alignas(64) FrontBody {
   bool broken : 1 = false;
   bool simple : 1 = false;    ///< known not to pass through itself
   bool on_planes : 1 = true;  ///< CanonicalBody::on_planes
+  bool far : 1 = false;       ///< some of its points lie beyond kFarAway
   /// A seen face's outline turns the other way than its plane says, as of needles whose vertices'
   /// rounding is as large as they are thick. Looked for where bodies are off their planes, and in
   /// views of outlines.
@@ -111,6 +113,11 @@ struct ManifoldLevels {
 /// What a table is for: a picture, with tones and the ground; or outlines and depths alone, as the
 /// light's view needs them.
 enum class FrontUse : std::uint8_t { picture, outlines };
+
+struct FrontTable;
+/// See far_line.h.
+LevelLine far_line(const FrontTable& table, const std::array<Index, 2>& ends,
+                   const std::array<Index, 2>& faces);
 
 struct FrontTable {
   /// On up to `threads` threads (0: all processors); the same whatever their number.
@@ -134,6 +141,14 @@ struct FrontTable {
   std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
   DepthMap depths;
 
+  /// The line of the side between two vertices of a body that are not on one level, and the faces
+  /// on its two hands (kNone: none). Of a far body only what the levels of the picture meet; it may
+  /// be none.
+  LevelLine line(const FrontBody& body, Index a, Index b, Index face, Index other) const {
+    if (body.far) return far_line(*this, {a, b}, {face, other});
+    const Vec2 &p = points[a], &q = points[b];
+    return p.y < q.y ? LevelLine(p, q) : LevelLine(q, p);
+  }
   bool seen(Index face) const { return face != kNone && sides[face] != 0; }
   bool from_behind(Index face) const { return sides[face] < 0; }
   /// The ground is the face after the canonical ones, and the body after them.
