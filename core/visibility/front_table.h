@@ -35,16 +35,15 @@ struct LevelLine {
   double x_at(double y) const { return x0 + (y - y0) * slope; }
 };
 
-/// Bound on the error of LevelLine::x_at: constant + per_slope * |slope|, but never more than
-/// kMostSlack. A line nearly along the levels may be farther off at one of them; but spans wider
-/// than that are no slivers between sides that should be one, and must not be left to their
-/// neighbours.
-constexpr double kMostSlack = 1e-6;
+/// Bound on the error of LevelLine::x_at. A line may be off by `constant` along the levels and by
+/// `per_slope` across them; the latter moves its crossing to where it is at a level as far away,
+/// but not past its ends. So nearly level lines are as uncertain as they are wide, and no more.
 struct LineError {
   double constant = 0, per_slope = 0;
-  double of(const LevelLine& line) const {
-    return std::fmin(constant + per_slope * std::fabs(line.slope), kMostSlack);
+  double of(double height, double slope) const {
+    return constant + std::fmin(per_slope, height) * std::fabs(slope);
   }
+  double of(const LevelLine& line) const { return of(line.y1 - line.y0, line.slope); }
 };
 
 /// A side of a seen face: it begins at the corner and ends at the next one of its loop.

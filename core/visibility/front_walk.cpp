@@ -124,7 +124,6 @@ void FrontWalker::keep(Front& front) {
 bool FrontWalker::stays_in_order(const Front& front) const {
   for (Index i = front.first; i < front.first + front.count; ++i) {
     const FrontSide& s = kept_[i];
-    if (!(s.slack < kMostSlack)) return false;  // it bounds nothing
     if (i == front.first) continue;
     const FrontSide& before = kept_[i - 1];
     const double most = (before.slack + s.slack) / 4;
@@ -193,8 +192,8 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   double from = front.from, until = front.until;
   const auto add = [&](Index face) {
     from = std::max(from, top.y), until = std::min(until, bottom.y);
-    const double slope = (bottom.x - top.x) / (bottom.y - top.y);
-    const double slack = std::min(error.constant + error.per_slope * std::fabs(slope), kMostSlack);
+    const double height = bottom.y - top.y, slope = (bottom.x - top.x) / height;
+    const double slack = error.constant + std::min(error.per_slope, height) * std::fabs(slope);
     sides_.push_back({top.x, top.y, bottom.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {

@@ -84,16 +84,16 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;
   const double across = std::max(std::fabs(a.x), std::fabs(b.x));
   const double tall = std::max(std::fabs(a.y), std::fabs(b.y));
-  const double error = 2 * errors.point +
-                       (2 * errors.point + errors.beside) * std::fabs(line.slope) +
-                       4 * kEps * (across + tall * std::fabs(line.slope));
+  const LineError of_lines{2 * errors.point + 4 * kEps * across,
+                           2 * errors.point + 4 * kEps * tall + errors.beside};
+  const double error = of_lines.of(line);
   if (std::min(a.x, b.x) > receiver.high.x + error) return;
   const int winding = down ? edge.winding : -edge.winding;
   const bool left = std::max(a.x, b.x) < receiver.low.x - error;
   if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
     base_ += winding;
   } else {
-    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding});
+    lines_.push_back({line, static_cast<float>(error), winding});
   }
 }
 

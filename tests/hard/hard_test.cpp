@@ -1,7 +1,6 @@
 // The law: what is drawn of every hard case, in every pose, is what the oracle sees.
 #include <gtest/gtest.h>
 
-
 #include "tests/hard/corpus.h"
 #include "tests/hard/variant.h"
 #include "tests/oracle/trial.h"
