@@ -200,9 +200,7 @@ class Clipper {
   void cut(const CanonicalBody& body) {
     Fanned whole = fanned(polyhedron_of(in_, body));
     if (in_.light && body.closed) turn_to_light(whole.polyhedron.corner_normals, *in_.light);
-    std::vector<double> heights;
-    for (const Vec3& p : whole.polyhedron.vertices) heights.push_back(height(keep_, p));
-    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights, keep_.normal, body.closed);
+    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, keep_.normal, keep_.offset, body.closed);
     for (Index& source : cut.face_source)
       if (!is_cap(source)) source = whole.source[source];
     if (cut.polyhedron.face_count() == 0) return;

@@ -15,7 +15,6 @@ namespace {
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 double reach_of(const Vec2& p) { return std::max(std::fabs(p.x), std::fabs(p.y)); }
-bool is_near(const Vec2& p) { return reach_of(p) <= kFarAway; }
 
 /// x^, y^, w^.
 using ExactPoint = std::array<Expansion, 3>;
@@ -71,35 +70,45 @@ double point_error(const View& view, const Vec3& p, const Vec2& at) {
          kEps * reach_of(at);
 }
 
+/// To the picture's levels and one more at either end, for what looks a hair beside its line.
+LevelLine trimmed(const LevelLine& line, double rows) {
+  const double y0 = std::max(line.y0, -1.0), y1 = std::min(line.y1, rows + 1);
+  LevelLine result = line;
+  result.x0 = line.x_at(y0), result.y0 = y0, result.y1 = y1;
+  return result;
+}
+
+/// Through a place on its first level and one on its last; as it is when it is level but for
+/// rounding, and meets them nowhere.
+template <class MeetingAt>
+LevelLine through(const LevelLine& line, const MeetingAt& x_at) {
+  if (!(line.y0 < line.y1)) return line;
+  const double x0 = x_at(line.y0), x1 = x_at(line.y1);
+  return std::isfinite(x0) && std::isfinite(x1) ? LevelLine({x0, line.y0}, {x1, line.y1}) : line;
+}
+
 }  // namespace
+
+LevelLine far_line(const View& view, const Vec3& top, const Vec3& bottom, const LevelLine& rough) {
+  const LevelLine line = trimmed(rough, view.grid.rows);
+  if (!(line.y0 < line.y1)) return line;
+  const ExactPoint a = image(view, top), b = image(view, bottom);
+  return through(line, [&](double y) { return meeting(a, b, y); });
+}
 
 LevelLine far_line(const FrontTable& table, const std::array<Index, 2>& ends,
                    const std::array<Index, 2>& faces) {
   Index top = ends[0], bottom = ends[1];
   if (table.points[top].y > table.points[bottom].y) std::swap(top, bottom);
   const Vec2 &p = table.points[top], &q = table.points[bottom];
-  LevelLine line(p, q);
-  // A level beyond either end, for what looks a hair beside its line.
-  const double y0 = std::max(p.y, -1.0), y1 = std::min(q.y, table.rows + 1);
-  if (!(y0 < y1)) {
-    line.y1 = line.y0;
-    return line;
-  }
-  double x0 = NAN, x1 = NAN;
+  const LevelLine line = trimmed({p, q}, table.rows);
   if (const std::optional<Planes> planes = cut_in(table, {top, bottom}, faces)) {
     const ExactPlane a = table.depths.exact((*planes)[0]), b = table.depths.exact((*planes)[1]);
-    x0 = crossing_exactly(a, b, y0), x1 = crossing_exactly(a, b, y1);
-  } else if (!is_near(p) || !is_near(q)) {
-    const ExactPoint a = image(table.view, table.canonical.vertices[top]),
-                     b = image(table.view, table.canonical.vertices[bottom]);
-    x0 = meeting(a, b, y0), x1 = meeting(a, b, y1);
+    return through(line, [&](double y) { return crossing_exactly(a, b, y); });
   }
-  // Level but for rounding of the ends, or near.
-  if (!std::isfinite(x0) || !std::isfinite(x1)) {
-    line.x0 = line.x_at(y0), line.y0 = y0, line.y1 = y1;
-    return line;
-  }
-  return LevelLine(Vec2(x0, y0), Vec2(x1, y1));
+  if (!is_far_away(p) && !is_far_away(q)) return line;
+  const std::vector<Vec3>& at = table.canonical.vertices;
+  return far_line(table.view, at[top], at[bottom], {p, q});
 }
 
 // Near ends as in FrontTable, each for itself. What is found exactly is rounded by a few ulp, at
@@ -111,7 +120,7 @@ LineError far_line_error(const FrontTable& table, Index number) {
   Vec2 most(table.columns + 1, table.rows + 1);
   for (Index v = body.first_vertex; v < body.end_vertex; ++v) {
     const Vec2& at = table.points[v];
-    if (!is_near(at)) continue;
+    if (is_far_away(at)) continue;
     most = glm::max(most, glm::abs(at));
     error = std::max(error, point_error(table.view, table.canonical.vertices[v], at));
   }

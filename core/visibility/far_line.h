@@ -7,6 +7,9 @@
 // body's size over the near distance. So of a far body's lines only what the levels of the picture
 // meet is kept, and its ends are found exactly: from the vertices, or, where a face is cut, from
 // the two planes, which are what the picture is defined by.
+#include <algorithm>
+#include <cmath>
+
 #include "core/visibility/front_table.h"
 
 namespace overstrike {
@@ -16,7 +19,16 @@ namespace overstrike {
 /// tells less (FaceOrder::crossing).
 constexpr double kFarAway = 0x1p20;
 
-/// FrontTable::line of a far body; y0 == y1 when no level of the picture meets it.
+/// Beyond kFarAway, or nowhere.
+inline bool is_far_away(const Vec2& p) {
+  return !(std::max(std::fabs(p.x), std::fabs(p.y)) <= kFarAway);
+}
+
+/// The part that the levels of the picture meet of the line between two points, which is `rough`
+/// but for rounding; y0 >= y1 when there is none.
+LevelLine far_line(const View& view, const Vec3& top, const Vec3& bottom, const LevelLine& rough);
+
+/// FrontTable::line of a far body; y0 >= y1 when no level of the picture meets it.
 LevelLine far_line(const FrontTable& table, const std::array<Index, 2>& ends,
                    const std::array<Index, 2>& faces);
 

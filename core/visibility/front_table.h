@@ -11,6 +11,7 @@
 //
 // A body that has no such front at too many levels, or that is seen from both sides, is *loose*:
 // its edges are laid out for an active edge list (loose_edges.h).
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -41,7 +42,7 @@ struct LevelLine {
 struct LineError {
   double constant = 0, per_slope = 0;
   double of(double height, double slope) const {
-    return constant + std::fmin(per_slope, height) * std::fabs(slope);
+    return constant + std::min(per_slope, height) * std::fabs(slope);
   }
   double of(const LevelLine& line) const { return of(line.y1 - line.y0, line.slope); }
 };
