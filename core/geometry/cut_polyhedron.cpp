@@ -5,6 +5,8 @@
 #include <unordered_map>
 
 #include "core/geometry/cap.h"
+#include "core/geometry/direction.h"
+#include "core/geometry/expansion.h"
 #include "core/geometry/plane_fit.h"
 
 namespace overstrike {
@@ -18,10 +20,20 @@ struct Corner {
 /// What is left of a loop between entering the kept side and leaving it.
 using Chain = std::vector<Corner>;
 
+Expansion exact_height(const Vec3& p, const Vec3& normal, double offset) {
+  Expansion height = -offset;
+  for (int i = 0; i < 3; ++i) height = height + Expansion(normal[i]) * Expansion(p[i]);
+  return height;
+}
+
 class Cutter {
  public:
-  Cutter(const Polyhedron& p, const std::vector<double>& height, const Vec3& normal)
-      : in_(p), height_(height), normal_(normal), kept_(p.vertices.size(), kCap) {}
+  Cutter(const Polyhedron& p, const std::vector<double>& heights, const Vec3& normal, double offset)
+      : in_(p),
+        height_(heights),
+        normal_(normal),
+        offset_(offset),
+        kept_(p.vertices.size(), kCap) {}
 
   CutPolyhedron cut(bool cap) {
     for (Index f = 0; f < in_.face_count(); ++f) cut_face(f);
@@ -45,6 +57,23 @@ class Cutter {
     return kept_[v];
   }
 
+  /// The part t of the way. An end is rounded by its own last place, and so is what doubles find:
+  /// where that is more than a few of the new vertex's it is found exactly.
+  Vec3 point_between(Index low, Index high, double t) const {
+    constexpr double kFew = 4;
+    const Vec3 &from = in_.vertices[low], &to = in_.vertices[high];
+    const Vec3 rough = from + (to - from) * t;
+    if (std::max(max_norm(from), max_norm(to)) <= kFew * max_norm(rough)) return rough;
+    const Expansion above = exact_height(from, normal_, offset_),
+                    below = -exact_height(to, normal_, offset_);
+    if (above.sign() * below.sign() <= 0) return rough;  // one lies in the plane but for rounding
+    const double whole = (above + below).approximate();
+    Vec3 at;
+    for (int i = 0; i < 3; ++i)
+      at[i] = (above * Expansion(to[i]) + below * Expansion(from[i])).approximate() / whole;
+    return at;
+  }
+
   /// Where the edge of corners i (vertex a) and j (vertex b) meets the plane.
   Corner crossing(Index i, Index j) {
     const Index a = in_.indices[i], b = in_.indices[j];
@@ -54,10 +83,7 @@ class Cutter {
     const double t = height_[low] / (height_[low] - height_[high]);
     const std::uint64_t key = std::uint64_t{low} << 32 | high;
     const auto [it, fresh] = crossings_.try_emplace(key, 0);
-    if (fresh) {
-      const Vec3 from = in_.vertices[low];
-      it->second = add_vertex(from + (in_.vertices[high] - from) * t, low, high, true);
-    }
+    if (fresh) it->second = add_vertex(point_between(low, high, t), low, high, true);
     const Vec3 low_normal = corner_normal(a == low ? i : j);
     const Vec3 high_normal = corner_normal(a == low ? j : i);
     return {it->second, low_normal + (high_normal - low_normal) * t};
@@ -170,6 +196,7 @@ class Cutter {
   const Polyhedron& in_;
   const std::vector<double>& height_;
   const Vec3 normal_;
+  const double offset_;
   std::vector<Index> kept_;  ///< new number of an old vertex, or kCap
   std::unordered_map<std::uint64_t, Index> crossings_;
   std::vector<bool> in_plane_;
@@ -178,9 +205,17 @@ class Cutter {
 
 }  // namespace
 
-CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& height,
-                             const Vec3& normal, bool cap) {
-  return Cutter(polyhedron, height, normal).cut(cap);
+CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& heights,
+                             const Vec3& normal, double offset, bool cap) {
+  return Cutter(polyhedron, heights, normal, offset).cut(cap);
+}
+
+CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const Vec3& normal, double offset,
+                             bool cap) {
+  std::vector<double> heights;
+  heights.reserve(polyhedron.vertices.size());
+  for (const Vec3& v : polyhedron.vertices) heights.push_back(glm::dot(normal, v) - offset);
+  return cut_polyhedron(polyhedron, heights, normal, offset, cap);
 }
 
 }  // namespace overstrike

@@ -22,15 +22,19 @@ struct CutPolyhedron {
   std::vector<Origin> origin;
 };
 
-/// What stands where `height` >= 0. `height` gives every vertex's signed distance from the plane
-/// (normal = its gradient, unit). Faces may be non-convex with holes; the loops that come out
-/// enclose the right points by the even-odd rule. A cut edge gets one new vertex, computed from its
-/// lower to its higher end, for both its faces; its normal lies between theirs on a straight line,
-/// not of unit length, so that what is linear in normals stays linear. With `cap`, the cut is
-/// closed where its winding number is not 0 (cap.h): by one face whose outward side is -normal and
-/// that holds all loops of the cut; by several, one on the other, where a polyhedron lies within
-/// itself more than once. Faces in the plane that have the solid on the removed side are gone.
-CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& height,
-                             const Vec3& normal, bool cap);
+/// What stands where dot(normal, p) >= offset; `normal` is of unit length. Faces may be non-convex
+/// with holes; the loops that come out enclose the right points by the even-odd rule. A cut edge
+/// gets one new vertex, computed from its lower to its higher end, for both its faces, and exact to
+/// a few roundings of its own, however far the edge reaches; its normal lies between theirs on a
+/// straight line, not of unit length, so that what is linear in normals stays linear. With `cap`,
+/// the cut is closed where its winding number is not 0 (cap.h): by one face whose outward side is
+/// -normal and that holds all loops of the cut; by several, one on the other, where a polyhedron
+/// lies within itself more than once. Faces in the plane that have the solid on the removed side
+/// are gone.
+CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const Vec3& normal, double offset,
+                             bool cap);
+/// With heights of the vertices over the plane that are known better than from the vertices.
+CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const std::vector<double>& heights,
+                             const Vec3& normal, double offset, bool cap);
 
 }  // namespace overstrike

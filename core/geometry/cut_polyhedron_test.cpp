@@ -66,9 +66,7 @@ Polyhedron comb() {
 Polyhedron cube() { return prism({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, 1); }
 
 CutPolyhedron cut(const Polyhedron& p, const Vec3& normal, double offset) {
-  std::vector<double> height;
-  for (const Vec3& v : p.vertices) height.push_back(glm::dot(normal, v) - offset);
-  return cut_polyhedron(p, height, normal, true);
+  return cut_polyhedron(p, normal, offset, true);
 }
 
 TEST(CutPolyhedron, HalvesOfRandomCutsAddUpAndAreClosed) {
@@ -213,7 +211,7 @@ TEST(CutPolyhedron, OpenFacesGetNoCap) {
   for (const Vec2 q : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
     square.add_vertex(Vec3(q, 0));
   square.add_face({0, 1, 2, 3});
-  const CutPolyhedron part = cut_polyhedron(square, {0.5, -0.5, -0.5, 0.5}, {-1, 0, 0}, false);
+  const CutPolyhedron part = cut_polyhedron(square, {-1, 0, 0}, -0.5, false);
   ASSERT_EQ(part.polyhedron.face_count(), 1u);
   EXPECT_EQ(part.polyhedron.loop(0).size(), 4u);
   EXPECT_EQ(part.face_source[0], 0u);
@@ -224,11 +222,33 @@ TEST(CutPolyhedron, NormalsAreInterpolatedOnAStraightLine) {
   for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);
   triangle.add_face({0, 1, 2});
   triangle.corner_normals = {{0, 0, 1}, {1, 0, 0}, {0, 0, 1}};
-  const CutPolyhedron part = cut_polyhedron(triangle, {1, -1, 1}, {-1, 0, 0}, false);
+  const CutPolyhedron part = cut_polyhedron(triangle, {-1, 0, 0}, -1, false);
   const Vec3 middle(0.5, 0, 0.5);  // not of unit length: tones are linear in normals
   int found = 0;
   for (const Vec3& n : part.polyhedron.corner_normals) found += max_norm(n - middle) < 1e-15;
   EXPECT_EQ(found, 2);
+}
+
+/// Of an edge of a million units a millionth from its middle, to a few last places of that.
+TEST(CutPolyhedron, VerticesOfLongEdgesKeepTheirOwnDigits) {
+  constexpr double kFar = 1e6 / 3, kNear = 1e-6;
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(-kFar, -kFar, 0), Vec3(kFar, kFar + kNear, 0), Vec3(kFar, -kFar, 0)})
+    triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  const CutPolyhedron part = cut_polyhedron(triangle, {-1, 0, 0}, -kNear, false);
+  // y + kFar = (x + kFar) (2 kFar + kNear as stored) / (2 kFar), at x = kNear.
+  const long double top = kFar + kNear, far = kFar, x = kNear;
+  const long double y = (x + far) * (top + far) / (2 * far) - far;
+  int found = 0;
+  for (const Vec3& v : part.polyhedron.vertices)
+    if (max_norm(v) < 1) {
+      ++found;
+      EXPECT_NEAR(v.x, kNear, 4 * 0x1p-53 * kNear);
+      // The long doubles of the expected place have 2^-64 of kFar.
+      EXPECT_NEAR(v.y, static_cast<double>(y), 8 * 0x1p-64 * kFar);
+    }
+  EXPECT_EQ(found, 1);
 }
 
 }  // namespace

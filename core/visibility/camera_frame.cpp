@@ -45,13 +45,17 @@ void aim_from(CameraFrame& frame, const Direction& from, const Vec3& up) {
 Vec3 middle_of(const Bounds& b) { return b.empty() ? Vec3(0.0) : b.low + (b.high - b.low) * 0.5; }
 
 /// See stage_of.
-constexpr double kOriginStep = 0x1p-20;
+constexpr double kOriginStep = 0x1p-20, kOriginReach = 0x1p10;
 
-/// To a multiple of kOriginStep of the power of two not below `size`; as it is where a double has
-/// no such places, or where that is no number.
-Vec3 rounded(const Vec3& p, double size) {
-  const double step = std::ldexp(kOriginStep, std::ilogb(size) + 1);
-  if (!(size > 0) || !std::isfinite(step)) return p;
+/// The power of two not below `size`, or 0 where that is no number.
+double power_of_two(double size) {
+  const double power = size > 0 ? std::ldexp(1.0, std::ilogb(size) + 1) : 0;
+  return std::isfinite(power) ? power : 0;
+}
+
+/// To a multiple of `step`; as it is where a double has no such places.
+Vec3 rounded(const Vec3& p, double step) {
+  if (!(step > 0)) return p;
   // Exact, of numbers of any size (glm's rounding goes by way of an int) and in any rounding mode.
   const auto left = [step](double x) { return std::remainder(x, step); };
   const Vec3 q = p - Vec3(left(p.x), left(p.y), left(p.z));
@@ -85,7 +89,14 @@ Stage stage_of(const Scene& scene) {
   if (camera.eye ? camera.target : camera.look_at)
     origin = camera.eye ? *camera.target : *camera.look_at;
   const double size = world.empty() ? 1 : max_norm(world.high - world.low);
-  origin = rounded(origin, size);
+  double step = kOriginStep * power_of_two(size);
+  if (!camera.parallel) {
+    const CameraFrame frame = camera_frame(camera, {Vec3(0.0), world});
+    const double reach = kOriginReach * frame.near_distance;
+    if (max_norm(frame.eye - origin) > reach) origin = frame.eye;
+    if (reach > 0) step = std::fmin(step, power_of_two(reach));
+  }
+  origin = rounded(origin, step);
   return {origin, origin == Vec3(0.0) ? world : scene_bounds(scene, origin)};
 }
 

@@ -203,7 +203,8 @@ class Clipper {
   void cut(const CanonicalBody& body) {
     Fanned whole = fanned(polyhedron_of(in_, body));
     if (in_.light && !whole.polyhedron.corner_normals.empty()) turn_to_light(body, whole);
-    CutPolyhedron cut = cut_polyhedron(whole.polyhedron, heights_, keep_.normal, body.closed);
+    CutPolyhedron cut =
+        cut_polyhedron(whole.polyhedron, heights_, keep_.normal, keep_.offset, body.closed);
     for (Index& source : cut.face_source)
       if (!is_cap(source)) source = whole.source[source];
     if (cut.polyhedron.face_count() == 0) return;

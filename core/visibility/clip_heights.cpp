@@ -44,9 +44,9 @@ double clip_rounding(const Plane& keep, double reach) {
 void clip_heights(const Canonical& c, const CanonicalBody& body, const Plane& keep,
                   std::vector<double>& heights) {
   heights.clear();
-  bool near = !body.on_planes;
+  bool near = false;
   const auto is_near = [&](const Vec3& p, double height) {
-    return !body.on_planes || std::fabs(height) <= clip_rounding(keep, reach_of(p));
+    return std::fabs(height) <= clip_rounding(keep, reach_of(p));
   };
   for (Index v = body.first_vertex; v < body.end_vertex; ++v) {
     const Vec3& p = c.vertices[v];

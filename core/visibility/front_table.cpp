@@ -7,6 +7,7 @@
 #include "core/large_pages.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/depth_range.h"
+#include "core/visibility/far_line.h"
 #include "core/visibility/ground_polygon.h"
 #include "core/visibility/run_source.h"
 
@@ -65,9 +66,9 @@ class Builder {
   bool is_smooth(const CanonicalFace& f, bool behind, double& mean) const;
   bool convex(std::span<const Index> loop) const;
   bool walkable(const CanonicalFace& f) const;
-  void find_sides(const CanonicalBody& body, Index face);
-  void add_side(const Side& side, Index next);
-  void add_inner_side(const Side& side, Index next, Index other);
+  void find_sides(const CanonicalBody& body, const FrontBody& front, Index face);
+  void add_side(const FrontBody& front, const Side& side, Index next, Index other);
+  void add_inner_side(const FrontBody& front, const Side& side, Index next, Index other);
   void keep_small(FrontBody& front);
   void keep_outline(Index number);
   void note_manifold_levels(Index number);
@@ -106,6 +107,7 @@ void Builder::project(Index number) {
     most = glm::max(most, glm::abs(at));
   }
   reach_ = most;
+  front.far = table_.use == FrontUse::picture && !(std::max(most.x, most.y) <= kFarAway);
   if (body.first_vertex == body.end_vertex) return;
   Vec4 size = glm::abs(m[3]);
   const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
@@ -120,6 +122,7 @@ void Builder::project(Index number) {
   front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside,
                       4 * kEps * std::max(size.x, size.y) / least_w + beside,
                       4 * kEps * size.z / least_w};
+  if (front.far) front.line_error = far_line_error(table_, number);
 }
 
 bool Builder::is_smooth(const CanonicalFace& f, bool behind, double& mean) const {
@@ -223,32 +226,37 @@ void Builder::look_at_faces(Index number) {
     walk = walk && (front.triangles || walkable(f));
   }
   front.far_z = depths.low, front.near_z = depths.high;
+  front.triangles = front.triangles && !front.far;
   front.simple = body.simple, front.on_planes = body.on_planes;
   front.loose = front.seen && (!walk || (front.turned && picture) || (from_front && from_behind));
 }
 
 /// Between two seen faces.
-void Builder::add_inner_side(const Side& side, Index next, Index other) {
-  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
-  if (a.y == b.y) return;
+void Builder::add_inner_side(const FrontBody& front, const Side& side, Index next, Index other) {
+  const Index from = c_.corners[side.corner], to = c_.corners[next];
+  if (table_.points[from].y == table_.points[to].y) return;
+  const LevelLine line = table_.line(front, from, to, side.face, other);
+  if (!(line.y0 < line.y1)) return;
   // What goes down in a face's loop has the face on its right, when it is seen from its front.
-  const bool down = a.y < b.y;
+  const bool down = table_.points[from].y < table_.points[to].y;
   const bool ahead = down != table_.from_behind(side.face);
-  inner_.push_back({down ? LevelLine(a, b) : LevelLine(b, a), ahead ? other : side.face,
-                    ahead ? side.face : other});
+  inner_.push_back({line, ahead ? other : side.face, ahead ? side.face : other});
 }
 
-void Builder::add_side(const Side& side, Index next) {
-  const Vec2 &a = table_.points[c_.corners[side.corner]], &b = table_.points[c_.corners[next]];
+void Builder::add_side(const FrontBody& front, const Side& side, Index next, Index other) {
+  const Index from = c_.corners[side.corner], to = c_.corners[next];
+  const Vec2 &a = table_.points[from], &b = table_.points[to];
   if (a.y == b.y) return;
+  const LevelLine line = table_.line(front, from, to, side.face, other);
+  if (!(line.y0 < line.y1)) return;
   const bool down = a.y < b.y;
+  const double end = front.far ? line.x_at(line.y1) : (down ? b.x : a.x);
   // Seen from outside a loop runs counter-clockwise, y points down: what goes down begins the face.
-  (down != table_.from_behind(side.face) ? left_ : right_)
-      .push_back({down ? LevelLine(a, b) : LevelLine(b, a), down ? b.x : a.x, side});
+  (down != table_.from_behind(side.face) ? left_ : right_).push_back({line, end, side});
 }
 
 /// Of a seen face. Copies share their twins, so that these are nearer at hand than edges.
-void Builder::find_sides(const CanonicalBody& body, Index face) {
+void Builder::find_sides(const CanonicalBody& body, const FrontBody& front, Index face) {
   const CanonicalFace& f = c_.faces[face];
   const Twin* const twins = c_.twins.data() + body.first_twin;
   const signed char* const seen = table_.sides.data() + body.first_face;
@@ -258,10 +266,11 @@ void Builder::find_sides(const CanonicalBody& body, Index face) {
     const Index first = c_.first_corner(l), end = c_.loop_ends[l];
     for (Index i = first; i < end; ++i) {
       const Index other = twins[i - body.first_corner].face;
+      const Index next = i + 1 == end ? first : i + 1;
       if (other == kNone || seen[other] == 0) {
-        add_side({i, face}, i + 1 == end ? first : i + 1);
+        add_side(front, {i, face}, next, other == kNone ? kNone : body.first_face + other);
       } else if (own < other && picture && inner_.size() <= kFewSides) {
-        add_inner_side({i, face}, i + 1 == end ? first : i + 1, body.first_face + other);
+        add_inner_side(front, {i, face}, next, body.first_face + other);
       }
     }
   }
@@ -350,7 +359,7 @@ void Builder::find_outline(Index number) {
   if (!front.seen || front.loose) return;
   left_.clear(), right_.clear(), inner_.clear();
   for (Index f = body.first_face; f < body.end_face; ++f)
-    if (table_.seen(f)) find_sides(body, f);
+    if (table_.seen(f)) find_sides(body, front, f);
   keep_outline(number);
 }
 

@@ -11,6 +11,8 @@
 //
 // A body that has no such front at too many levels, or that is seen from both sides, is *loose*:
 // its edges are laid out for an active edge list (loose_edges.h).
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,15 +36,14 @@ struct LevelLine {
   double x_at(double y) const { return x0 + (y - y0) * slope; }
 };
 
-/// Bound on the error of LevelLine::x_at: constant + per_slope * |slope|, but never more than
-/// kMostSlack. A line nearly along the levels may be farther off at one of them; but spans wider
-/// than that are no slivers between sides that should be one, and must not be left to their
-/// neighbours.
+/// Bound on the error of LevelLine::x_at. A line may be off by `constant` along the levels and by
+/// `per_slope` across them; the latter moves its crossing to where it is at a level as far away,
+/// but not past its ends. So nearly level lines are as uncertain as they are wide, and no more.
 ///
 /// The constants are those of the body's farthest point. Where a body passes the eye that is far
 /// outside of the grid; a line that is not has a bound of its own, which is asked for where the
 /// body's is more than kSmallSlack: what no device and no test tells.
-constexpr double kMostSlack = 1e-6, kSmallSlack = 1e-9;
+constexpr double kSmallSlack = 1e-9;
 struct LineError {
   float constant = 0, per_slope = 0;
   /// Of what x^ and y^ round: everywhere. Of what w^ does: for each unit that the line passes the
@@ -51,6 +52,8 @@ struct LineError {
 
   /// Rounds the bounds up.
   LineError() = default;
+  LineError(double for_all, double for_slope)
+      : constant(up(for_all)), per_slope(up(for_slope)), everywhere(HUGE_VALF) {}
   LineError(double for_all, double for_slope, double for_sums, double for_w)
       : constant(up(for_all)),
         per_slope(up(for_slope)),
@@ -58,22 +61,25 @@ struct LineError {
         radial(up(for_w)) {}
 
   double of(const LevelLine& line) const {
-    const double error = constant + double{per_slope} * std::fabs(line.slope);
-    return error <= kSmallSlack ? error : std::fmin(own(line, error), kMostSlack);
+    const double error = of(line.y1 - line.y0, line.slope);
+    return error <= kSmallSlack ? error : std::min(own(line), error);
+  }
+  /// By the body's bounds.
+  double of(double height, double slope) const {
+    return constant + std::min<double>(per_slope, height) * std::fabs(slope);
   }
 
  private:
   static float up(double bound) { return static_cast<float>(bound * (1 + 0x1p-20)); }
   /// To these come the quotients' own rounding and that of x_at, of which this is four times as
   /// much: FrontWalker relies on that.
-  double own(const LevelLine& line, double error) const {
+  double own(const LevelLine& line) const {
     constexpr double kRounding = 24 * 0x1p-52;
     const double s = std::fabs(line.slope);
     const double x = std::fmax(std::fabs(line.x0), std::fabs(line.x_at(line.y1)));
     const double y = std::fmax(std::fabs(line.y0), std::fabs(line.y1));
-    return std::fmin(error, everywhere * (1 + s) +
-                                radial * std::fabs(line.x0 - line.slope * line.y0) +
-                                kRounding * (x + s * y));
+    return everywhere * (1 + s) + radial * std::fabs(line.x0 - line.slope * line.y0) +
+           kRounding * (x + s * y);
   }
 };
 
@@ -124,6 +130,7 @@ struct alignas(64) FrontBody {
   bool broken : 1 = false;
   bool simple : 1 = false;    ///< known not to pass through itself
   bool on_planes : 1 = true;  ///< CanonicalBody::on_planes
+  bool far : 1 = false;       ///< some of its points lie beyond kFarAway
   /// A seen face's outline turns the other way than its plane says, as of needles whose vertices'
   /// rounding is as large as they are thick. Looked for where bodies are off their planes, and in
   /// views of outlines.
@@ -142,6 +149,11 @@ struct ManifoldLevels {
 /// What a table is for: a picture, with tones and the ground; or outlines and depths alone, as the
 /// light's view needs them.
 enum class FrontUse : std::uint8_t { picture, outlines };
+
+struct FrontTable;
+/// See far_line.h.
+LevelLine far_line(const FrontTable& table, const std::array<Index, 2>& ends,
+                   const std::array<Index, 2>& faces);
 
 struct FrontTable {
   /// On up to `threads` threads (0: all processors); the same whatever their number.
@@ -165,6 +177,14 @@ struct FrontTable {
   std::vector<Plane> further_planes;     ///< the ground's and the plane at infinity
   DepthMap depths;
 
+  /// The line of the side between two vertices of a body that are not on one level, and the faces
+  /// on its two hands (kNone: none). Of a far body only what the levels of the picture meet; it may
+  /// be none.
+  LevelLine line(const FrontBody& body, Index a, Index b, Index face, Index other) const {
+    if (body.far) return far_line(*this, {a, b}, {face, other});
+    const Vec2 &p = points[a], &q = points[b];
+    return p.y < q.y ? LevelLine(p, q) : LevelLine(q, p);
+  }
   bool seen(Index face) const { return face != kNone && sides[face] != 0; }
   bool from_behind(Index face) const { return sides[face] < 0; }
   /// The ground is the face after the canonical ones, and the body after them.

@@ -124,7 +124,6 @@ void FrontWalker::keep(Front& front) {
 bool FrontWalker::stays_in_order(const Front& front) const {
   for (Index i = front.first; i < front.first + front.count; ++i) {
     const FrontSide& s = kept_[i];
-    if (!(s.slack < kMostSlack)) return false;  // it bounds nothing
     if (i == front.first) continue;
     const FrontSide& before = kept_[i - 1];
     const double most = (before.slack + s.slack) / 4;
@@ -143,13 +142,11 @@ std::optional<FrontWalker::SteadyFront> FrontWalker::steady_front(Index body) {
   return SteadyFront{{kept_.data() + front.first, front.count}, front.from, front.until};
 }
 
-void FrontWalker::add(const LineError& error, Index a, Index b, Index face, Front& front) {
-  const Vec2 &p = table_.points[a], &q = table_.points[b];
-  const LevelLine line = p.y < q.y ? LevelLine(p, q) : LevelLine(q, p);
+void FrontWalker::add(const FrontBody& body, const LevelLine& line, Index face, Front& front) {
   front.from = std::max(front.from, line.y0);
   front.until = std::min(front.until, line.y1);
   sides_.push_back(
-      {line.x0, line.y0, line.y1, line.slope, face, static_cast<float>(error.of(line))});
+      {line.x0, line.y0, line.y1, line.slope, face, static_cast<float>(body.line_error.of(line))});
 }
 
 /// The corner where the side begins by which the level leaves the face; kNone when it meets more
@@ -196,8 +193,9 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   const double constant = error.constant, per_slope = error.per_slope;
   const auto add = [&](Index face) {
     from = std::max(from, top.y), until = std::min(until, bottom.y);
-    const double slope = (bottom.x - top.x) / (bottom.y - top.y);
-    const double slack = std::min(constant + per_slope * std::fabs(slope), kMostSlack);
+    const double height = bottom.y - top.y, slope = (bottom.x - top.x) / height;
+    double slack = constant + std::min(per_slope, height) * std::fabs(slope);
+    if (slack > kSmallSlack) slack = error.of(LevelLine(top, bottom));
     sides_.push_back({top.x, top.y, bottom.y, slope, face, static_cast<float>(slack)});
   };
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {
@@ -221,24 +219,26 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
 
 bool FrontWalker::walk(Index number, double y, const Outline& outline, Front& front) {
   const Canonical& c = table_.canonical;
-  const LineError& error = table_.bodies[number].line_error;
+  const FrontBody& seen = table_.bodies[number];
   const CanonicalBody& body = c.bodies[number];
-  if (table_.bodies[number].triangles) return walk_triangles(body, error, y, outline, front);
-  const auto end_of = [&](Side s) {
-    const Index loop = c.faces[s.face].first_loop;
-    return s.corner + 1 == c.loop_ends[loop] ? c.first_corner(loop) : s.corner + 1;
+  if (seen.triangles) return walk_triangles(body, seen.line_error, y, outline, front);
+  const auto line_of = [&](Index corner, Index face, Index other) {
+    const Index loop = c.faces[face].first_loop;
+    const Index next = corner + 1 == c.loop_ends[loop] ? c.first_corner(loop) : corner + 1;
+    return table_.line(seen, c.corners[corner], c.corners[next], face, other);
   };
   Side side = outline.first;
+  Index before = seen.far ? c.twin(body, side.corner).face : kNone;
   for (Index steps = body.first_face; steps < body.end_face; ++steps) {
-    add(error, c.corners[side.corner], c.corners[end_of(side)], side.face, front);
+    add(seen, line_of(side.corner, side.face, before), side.face, front);
     const Index exit = exit_of(side.face, side.corner, y);
     if (exit == kNone) return false;
     const Twin twin = c.twin(body, exit);
     if (!table_.seen(twin.face)) {
-      const Side last{exit, side.face};
-      add(error, c.corners[exit], c.corners[end_of(last)], kNone, front);
+      add(seen, line_of(exit, side.face, twin.face), kNone, front);
       return exit == outline.last_corner;
     }
+    before = side.face;
     side = {twin.corner, twin.face};
   }
   return false;

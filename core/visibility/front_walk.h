@@ -66,7 +66,7 @@ class FrontWalker {
                       const Outline& outline, Front& front);
   void keep(Front& front);
   bool stays_in_order(const Front& front) const;
-  void add(const LineError& error, Index a, Index b, Index face, Front& front);
+  void add(const FrontBody& body, const LevelLine& line, Index face, Front& front);
   Index exit_of(Index face, Index entry, double y) const;
   void seek(Index& cursor, Index first, Index end, double y) const;
 

@@ -21,9 +21,9 @@ std::vector<LooseEdge> edges_of(const FrontTable& table) {
 bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, LooseEdge& out) {
   const bool left = table.seen(edge.left), right = table.seen(edge.right);
   if (!left && !right) return false;
-  const Vec2 &a = table.points[edge.from], &b = table.points[edge.to];
-  if (a.y == b.y) return false;
-  out.line = a.y < b.y ? LevelLine(a, b) : LevelLine(b, a);
+  if (table.points[edge.from].y == table.points[edge.to].y) return false;
+  out.line = table.line(table.bodies[body], edge.from, edge.to, edge.left, edge.right);
+  if (!(out.line.y0 < out.line.y1)) return false;
   out.faces = {left ? edge.left : edge.right, left && right ? edge.right : kNone};
   out.body = body;
   return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/visibility/far_line.h"
 #include "core/visibility/projected_scene.h"
 #include "core/visibility/run_source.h"
 
@@ -23,16 +24,25 @@ Vec2 projected(const View& view, const Vec3& p) {
   return Vec2(x / w, y / w);
 }
 
-/// Bound on how far the ends of shadow edges may be from where they were meant, in the grid: the
-/// largest of to_grid()'s; in a parallel view (w^ = 1) no coordinate is larger than the sum of its
+/// Sums of the sizes of a point's terms, x^, y^, w^, z^.
+Vec4 sizes_of(const View& view, const Vec3& p) {
+  Vec4 size = glm::abs(view.matrix[3]);
+  for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column] * p[column]);
+  return size;
+}
+
+/// Bound on how far a shadow edge may be from where it was meant, in the picture, as to_grid() has
+/// it for points: between its ends no w^ is smaller and no term larger than at one of them.
+double edge_error(const View& view, const ShadowEdge& edge, double reach) {
+  const Vec4 size = glm::max(sizes_of(view, edge.a), sizes_of(view, edge.b));
+  const double w =
+      std::min((view.matrix * Vec4(edge.a, 1.0)).z, (view.matrix * Vec4(edge.b, 1.0)).z);
+  return kPointRounding * (std::max(size.x, size.y) + size.z * reach) / std::fabs(w);
+}
+
+/// The same of all, in a parallel view (w^ = 1), where no coordinate is larger than the sum of its
 /// terms' sizes.
-double point_error(const View& view, const std::vector<ShadowEdge>& edges) {
-  if (view.perspective) {
-    double error = 0;
-    for (const ShadowEdge& e : edges)
-      error = std::max({error, to_grid(view, e.a).error, to_grid(view, e.b).error});
-    return error;
-  }
+double edges_error(const View& view, const std::vector<ShadowEdge>& edges) {
   Vec3 reach(0.0);
   for (const ShadowEdge& e : edges) reach = glm::max(reach, glm::max(glm::abs(e.a), glm::abs(e.b)));
   Vec4 size = glm::abs(view.matrix[3]);
@@ -52,8 +62,13 @@ ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
     : plane_(table.plane_of(shadow.receiver)), base_(shadow.covered) {
   if (shadow.edges.empty()) return;
   const Box receiver = box_of(table, shadow.receiver);
-  const Error error{point_error(table.view, shadow.edges), beside_line(table.columns, table.rows)};
-  for (const ShadowEdge& edge : shadow.edges) add_line(edge, table.view, receiver, error);
+  Error error{0, beside_line(table.columns, table.rows)};
+  if (!table.view.perspective) error.point = edges_error(table.view, shadow.edges);
+  const double reach = std::max(table.columns, table.rows) + 1;
+  for (const ShadowEdge& edge : shadow.edges) {
+    if (table.view.perspective) error.point = edge_error(table.view, edge, reach);
+    add_line(edge, table.view, receiver, error);
+  }
   if (lines_.size() > kFew)
     bands_.emplace(table.rows, lines_.size(),
                    [&](std::size_t i) { return std::pair(lines_[i].line.y0, lines_[i].line.y1); });
@@ -80,21 +95,24 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   // A corner that rounding has put into the eye's own plane, of a near plane that stands there.
   if (!std::isfinite(a.x + a.y + b.x + b.y)) return;
   const bool down = a.y < b.y;
-  const LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
+  LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
+  if (is_far_away(a) || is_far_away(b))
+    line = far_line(view, down ? edge.a : edge.b, down ? edge.b : edge.a, line);
   if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;
-  const double across = std::max(std::fabs(a.x), std::fabs(b.x));
-  const double tall = std::max(std::fabs(a.y), std::fabs(b.y));
-  const double error = 2 * errors.point +
-                       (2 * errors.point + errors.beside) * std::fabs(line.slope) +
-                       4 * kEps * (across + tall * std::fabs(line.slope));
-  if (std::min(a.x, b.x) > receiver.high.x + error) return;
+  const double end = line.x_at(line.y1);
+  const double across = std::max(std::fabs(line.x0), std::fabs(end));
+  const double tall = std::max(std::fabs(line.y0), std::fabs(line.y1));
+  const LineError of_lines{2 * errors.point + 4 * kEps * across,
+                           2 * errors.point + 4 * kEps * tall + errors.beside};
+  const double error = of_lines.of(line);
+  if (std::min(line.x0, end) > receiver.high.x + error) return;
   const int winding = down ? edge.winding : -edge.winding;
-  const bool left = std::max(a.x, b.x) < receiver.low.x - error;
+  const bool left = std::max(line.x0, end) < receiver.low.x - error;
   if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
     base_ += winding;
   } else {
-    lines_.push_back({line, static_cast<float>(std::min(error, kMostSlack)), winding,
-                      error > kMostSlack ? edge.plane : kNone});
+    lines_.push_back(
+        {line, static_cast<float>(error), winding, error > kSmallSlack ? edge.plane : kNone});
   }
 }
 

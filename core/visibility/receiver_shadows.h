@@ -23,9 +23,9 @@ struct ShadowLine {
   LevelLine line;
   float slack;
   int winding;
-  /// Of the caster, where it passes through the receiver's nearly along the levels: kMostSlack does
-  /// not bound the line's error there. What is seen ends where the two planes cross, too, and the
-  /// shadow ends there to the bit. Else kNone.
+  /// Of the caster, where it passes through the receiver's nearly along the levels: kSmallSlack
+  /// does not bound the line's error there. What is seen ends where the two planes cross, too, and
+  /// the shadow ends there to the bit. Else kNone.
   Index plane;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/direction.h"
 #include "core/visibility/camera_frame.h"
 #include "core/visibility/canonical.h"
 #include "core/visibility/view.h"
@@ -16,8 +17,10 @@ namespace {
 
 #ifdef OVERSTRIKE_HARD_LONG
 constexpr Sample kSample{1, 1, 64};
+constexpr int kNearlyParallel = 400;
 #else
 constexpr Sample kSample{3, 31, 50};
+constexpr int kNearlyParallel = 60;
 #endif
 
 constexpr ScanFamily kRows{0, 1, 0.5};
@@ -72,6 +75,56 @@ TEST(Law, LinesAmongCloseLinesAreLinesAmongFarOnes) {
     }
     return std::string();
   });
+}
+
+/// By Rodrigues' formula; the axis is of unit length.
+Mat3 turn_about(const Vec3& axis, double angle) {
+  const Mat3 across(0, axis.z, -axis.y, -axis.z, 0, axis.x, axis.y, -axis.x, 0);
+  return Mat3(1) + across * std::sin(angle) + across * across * (1 - std::cos(angle));
+}
+
+/// Bodies turned by next to nothing against each other, so that certificates are tight: prisms,
+/// boxes and plates about one place.
+Scene nearly_parallel(std::mt19937_64& bits) {
+  const auto within = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(bits);
+  };
+  const auto any = [&](int n) { return static_cast<int>(bits() % static_cast<unsigned>(n)); };
+  Scene scene;
+  const Mat3 base =
+      any(2) == 0 ? Mat3(1) : turn_about(unit(Vec3(within(-1, 1), within(-1, 1), 1)), within(0, 6));
+  for (int count = 2 + any(8); count > 0; --count) {
+    Body body;
+    const double size = within(0.5, 4);
+    const Shape shapes[] = {Box{Vec3(size, within(0.3, 4), within(0.3, 4))}, Box{Vec3(4, 4, 1)},
+                            Frustum{within(0.5, 2), within(0, 2), within(0.5, 3), 3 + any(30)}};
+    body.shape = std::make_shared<const Shape>(shapes[any(3)]);
+    const double angle = std::pow(10, -within(3, 16)) * any(3);
+    body.placement.linear = base * turn_about(unit(Vec3(1, any(2), any(2))), angle);
+    body.placement.offset = any(3) == 0 ? Vec3(any(3) - 1, any(3) - 1, within(-1, 1) * angle)
+                                        : Vec3(within(-1, 1), within(-1, 1), within(-1, 1));
+    body.density_factor = 1 - 0.25 * any(3);
+    scene.bodies.push_back(body);
+  }
+  scene.camera.parallel = any(2) == 0;
+  scene.camera.window_width = within(4, 10);
+  scene.camera.look_at = Vec3(0);
+  if (any(3) == 0) scene.light = Direction{within(0, 360), within(10, 80)};
+  return scene;
+}
+
+TEST(Law, CloseLinesOfNearlyParallelBodiesAreLinesAlone) {
+  for (int seed = 0; seed < kNearlyParallel; ++seed) {
+    std::mt19937_64 bits(static_cast<unsigned>(seed));
+    Drawing drawing = drawn(nearly_parallel(bits));
+    const double spacing = std::ldexp(1.0, -2 - static_cast<int>(bits() % 8));
+    const Runs close = runs_of(drawing, {0, spacing, 0});
+    for (std::size_t i = 0; i < close.size(); i += 1 + bits() % 37) {
+      const Runs alone = runs_of(drawing, {0, 1000, static_cast<double>(i) * spacing});
+      ASSERT_EQ(alone.size(), 1u);
+      ASSERT_EQ(first_difference({close[i]}, alone), "") << "seed " << seed << ", line " << i;
+    }
+  }
 }
 
 /// Grid coordinates and what has no length stay; lengths are multiplied.

@@ -9,6 +9,7 @@
 #include "core/geometry/tessellate.h"
 #include "tests/hard/remade.h"
 #include "tests/hard/same_picture.h"
+#include "tests/hard/variant.h"
 
 namespace overstrike::hard {
 namespace {
@@ -31,6 +32,16 @@ std::vector<Subject> flawless() {
     std::vector<Diagnostic> warnings;
     canonicalize(s.scene, make_view(s.scene, kGrid), kTolerance, warnings);
     return !warnings.empty();
+  });
+  return some;
+}
+
+/// New vertices are rounded where they are. Where the eye stands so close to what it sees that the
+/// rounding shows, a scene with new ones is another picture.
+std::vector<Subject> bearing_new_vertices(std::vector<Subject> some) {
+  std::erase_if(some, [](const Subject& s) {
+    const auto& near = s.scene.camera.near_distance;
+    return near && size_of(s.scene) * 0x1p-53 > oracle::kEndError * *near;
   });
   return some;
 }
@@ -69,6 +80,31 @@ TEST(Law, TheOrderOfBodiesHasNoSay) {
   });
 }
 
+/// Whose stroke is kept where two lie on one another goes by what the bodies are.
+TEST(Law, TheOrderOfBodiesHasNoSayInStrokes) {
+  Scene scene;
+  const ShapePtr box = std::make_shared<const Shape>(Box{Vec3(3)});
+  for (const double factor : {0.9, 0.5, 0.7}) {
+    Body body;
+    body.shape = box, body.density_factor = factor;
+    body.pen = static_cast<int>(10 * factor);
+    scene.bodies.push_back(body);
+  }
+  scene.camera.parallel = true, scene.camera.window_width = 8;
+  const auto pens = [](const Scene& s) {
+    Drawing drawing = drawn(s);
+    std::vector<std::pair<std::vector<Vec2>, int>> all;
+    for (const Stroke& stroke : drawing.strokes({})) all.emplace_back(stroke.points, stroke.pen);
+    return all;
+  };
+  const auto as_it_is = pens(scene);
+  ASSERT_FALSE(as_it_is.empty());
+  for (const auto& [points, pen] : as_it_is) EXPECT_EQ(pen, 9);
+  Scene other = scene;
+  std::reverse(other.bodies.begin(), other.bodies.end());
+  EXPECT_EQ(pens(other), as_it_is);
+}
+
 TEST(Law, TheOrderOfFacesHasNoSay) {
   expect_law(all(), "order of faces", [](const Scene& scene) {
     const Runs as_it_is = runs_of(with_meshes(scene, as_they_are), kOddRows);
@@ -104,14 +140,14 @@ TEST(Law, MirroredScenesGiveMirroredPictures) {
 }
 
 TEST(Law, CuttingFacesChangesNothing) {
-  expect_law(flawless(), "cut faces", [](const Scene& scene) {
+  expect_law(bearing_new_vertices(flawless()), "cut faces", [](const Scene& scene) {
     const SamePicture picture(with_meshes(scene, as_they_are));
     return picture.difference(runs_of(with_meshes(scene, subdivided), kOddRows), oracle::kEndError);
   });
 }
 
 TEST(Law, GluedHalvesAreAWhole) {
-  expect_law(all(), "glued halves", [](const Scene& scene) {
+  expect_law(bearing_new_vertices(all()), "glued halves", [](const Scene& scene) {
     const SamePicture picture(scene);
     return picture.difference(runs_of(in_halves(scene), kOddRows), oracle::kEndError);
   });
