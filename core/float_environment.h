@@ -5,8 +5,9 @@
 namespace overstrike {
 
 /// Round to nearest, no flushing to zero, no traps, for as long as it lives on this thread; then
-/// what was set before. Every entry point of core, and every task that it gives to another thread,
-/// holds one: exact arithmetic is exact in the default environment only.
+/// what was set before. Every entry point of core and of the readers, and every task that is given
+/// to another thread, holds one: exact arithmetic is exact in the default environment only. Sinks
+/// and progress calls are made within it.
 class FloatEnvironment {
  public:
   FloatEnvironment() {

@@ -18,11 +18,10 @@ bool touch(const FrontBody& lower, const FrontBody& upper, int axis) {
 }
 
 /// Of a body below and one above a plane across the axis: 1 when the lower is in front. The plane
-/// may be put anywhere between them.
-int lower_first(const FrontBody& lower, const FrontBody& upper, int axis, const Vec4& eye) {
+/// is put where the upper one begins.
+int lower_first(const FrontBody& upper, int axis, const Vec4& eye) {
   if (eye.w == 0) return eye[axis] <= 0 ? 1 : -1;
-  if (eye[axis] <= upper.low[axis]) return 1;
-  return eye[axis] >= lower.high[axis] ? -1 : 0;
+  return eye[axis] <= upper.low[axis] ? 1 : -1;
 }
 
 }  // namespace
@@ -36,7 +35,7 @@ int order_of(const FrontBody& a, const FrontBody& b, const Vec4& eye) {
     const FrontBody &lower = a_lower ? a : b, &upper = a_lower ? b : a;
     if (touch(lower, upper, axis) && (may_show_border(a, axis) || may_show_border(b, axis)))
       continue;
-    const int lower_in_front = lower_first(lower, upper, axis, eye);
+    const int lower_in_front = lower_first(upper, axis, eye);
     return a_lower ? lower_in_front : -lower_in_front;
   }
   return (a.far_z > b.near_z) - (b.far_z > a.near_z);

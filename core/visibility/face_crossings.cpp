@@ -4,6 +4,7 @@
 
 #include "core/visibility/candidate_lines.h"
 #include "core/visibility/interpenetration.h"
+#include "core/visibility/tie.h"
 
 namespace overstrike {
 namespace {
@@ -130,8 +131,10 @@ void add_intersections(const ProjectedScene& scene, const FaceIndex& index,
     query.meeting(boxes[i], [&](Index other) {
       const Index g = boxes[other].face, other_body = c.faces[g].body;
       if (other <= i || may_cross[other_body] == 0) return;
-      if (other_body != body || (!c.bodies[body].simple && !crossings.share_a_corner(f, g)))
-        crossings.cross(f, g);
+      if (other_body == body && (c.bodies[body].simple || crossings.share_a_corner(f, g))) return;
+      // The line is a stroke of the body that would win a tie, whatever the order given.
+      const bool in_order = wins_tie(c, f, g);
+      crossings.cross(in_order ? f : g, in_order ? g : f);
     });
   }
 }

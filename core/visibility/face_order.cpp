@@ -46,12 +46,10 @@ double FaceOrder::crossing_of_planes(Index p, Index q, double y) const {
 
 double FaceOrder::crossing(const DepthPlane& p, Index plane_p, const DepthPlane& q, Index plane_q,
                            double y) const {
-  // Grid units: no device and no test tells a smaller displacement of an end.
-  constexpr double kGoodEnough = 1e-9;
   const double slope = p.a - q.a;
   const double x = -((p.b - q.b) * y + (p.c - q.c)) / slope;
   const double error = (p.ea + q.ea) * std::fabs(x) + (p.eb + q.eb) * std::fabs(y) + (p.ec + q.ec);
-  if (error <= kGoodEnough * std::fabs(slope)) return x;
+  if (error <= kCrossingError * std::fabs(slope)) return x;
   make_room();
   return crossing_exactly(exact_of(plane_p), exact_of(plane_q), y);
 }

@@ -9,6 +9,9 @@ namespace overstrike {
 
 class FaceOrder {
  public:
+  /// Grid units: no device and no test tells a smaller displacement of an end.
+  static constexpr double kCrossingError = 1e-9;
+
   explicit FaceOrder(const FrontTable& table) : table_(table), cache_(kCached) {}
 
   std::size_t face_count() const { return table_.tones.size(); }

@@ -18,8 +18,7 @@ void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
 }  // namespace
 
 RowSweep::RowSweep(const SweepTable& table)
-    : table_(table),
-      faces_(table.fronts),
+    : faces_(table.fronts),
       walker_(table.fronts),
       planner_(table, faces_, walker_),
       keeper_(faces_, table.fronts.columns) {}
@@ -121,7 +120,7 @@ void RowSweep::keep(RowPlan::Segment& segment, double y) {
   plan_.kept_until = std::max(plan_.kept_until, segment.kept_until);
 }
 
-void RowSweep::show_kept(const RowPlan::RowPlan::Segment& segment, double y, const Interval& over,
+void RowSweep::show_kept(const RowPlan::Segment& segment, double y, const Interval& over,
                          std::vector<SpanPiece>& pieces) const {
   double x = over.x0;
   float slack = over.slack0;

@@ -52,7 +52,6 @@ class RowSweep {
   void compare(double y, const Interval& over, std::vector<SpanPiece>& pieces);
 
   static constexpr int kMostCredit = 256, kPriceOfTrial = 6;
-  const SweepTable& table_;
   FaceOrder faces_;
   FrontWalker walker_;
   RowPlanner planner_;
