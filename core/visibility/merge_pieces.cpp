@@ -69,7 +69,7 @@ class Merger {
         std::minmax({std::pair(piece.a.x, piece.a.y), std::pair(piece.b.x, piece.b.y)});
     return {static_cast<double>(rank_of(piece.kind)),
             -lengths_[p],
-            -piece.density_factor,
+            static_cast<double>(piece.rank),
             low.first,
             low.second,
             high.first,

@@ -14,13 +14,13 @@ struct LinePiece {
   Index body;
   int pen;
   bool curved;
-  double density_factor;  ///< of the body
+  Index rank;  ///< of the body, by what it is (strokes.cpp)
 };
 
 /// Draws no line twice: where pieces lie on one another, within their errors, one is kept. A
 /// contour goes before the outline of a cut, a crease, an intersection, a shadow outline, a pattern
-/// and a segment; among equal kinds the longer, then that of the darker body, then the one that
-/// lies before the other, then the smaller pen; never the order given.
+/// and a segment; among equal kinds the longer, then that of the body of lower rank, then the one
+/// that lies before the other, then the smaller pen; never the order given.
 std::vector<LinePiece> merged(std::vector<LinePiece> pieces, const Grid& grid);
 
 /// Joins pieces of one body, kind and pen where just two of them end in one point. Of chains that

@@ -1,6 +1,8 @@
 #include "core/visibility/strokes.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/visibility/candidate_lines.h"
 #include "core/visibility/edge_resolver.h"
@@ -21,19 +23,38 @@ std::vector<SightLine> candidates(const ProjectedScene& scene, const FaceIndex& 
   return lines;
 }
 
+/// Per body its place in an order that goes by what bodies are, not by their numbers: the darker
+/// first, then the one with the lexicographically smaller vertices.
+std::vector<Index> ranks_of_bodies(const Canonical& c) {
+  using Key = std::pair<double, std::vector<std::array<double, 3>>>;
+  std::vector<std::pair<Key, Index>> order;
+  for (Index b = 0; b < c.bodies.size(); ++b) {
+    const CanonicalBody& body = c.bodies[b];
+    Key key{-body.density_factor, {}};
+    for (Index v = body.first_vertex; v < body.end_vertex; ++v)
+      key.second.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
+    std::sort(key.second.begin(), key.second.end());
+    order.emplace_back(std::move(key), b);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> ranks(c.bodies.size());
+  for (Index r = 0; r < order.size(); ++r) ranks[order[r].second] = r;
+  return ranks;
+}
+
 std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceIndex& index,
                                       const std::vector<SightLine>& lines) {
   EdgeResolver resolver(scene, index);
   const Vec2 page(scene.view.grid.columns, scene.view.grid.rows);
+  const std::vector<Index> ranks = ranks_of_bodies(scene.canonical);
   std::vector<LinePiece> pieces;
   for (const SightLine& line : lines) {
-    const bool of_body = line.body < scene.canonical.bodies.size();
-    const double factor = of_body ? scene.canonical.bodies[line.body].density_factor : 0;
+    const Index rank = line.body < ranks.size() ? ranks[line.body] : kNone;
     const double error = line.a.grid.error + line.b.grid.error;
     for (const Interval& part : resolver.visible(line))
       pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
                         glm::clamp(line.at(part.second), Vec2(0), page), error, line.kind,
-                        line.body, line.pen, line.curved, factor});
+                        line.body, line.pen, line.curved, rank});
   }
   return pieces;
 }
