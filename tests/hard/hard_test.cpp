@@ -14,11 +14,11 @@ using oracle::Trial;
 #ifdef OVERSTRIKE_HARD_LONG
 constexpr std::size_t kPosesOfCase = 96;
 constexpr Effort kEffort{60, 20, 60, 40};
-constexpr std::size_t kMostBodies = 1'000'000;
+constexpr std::size_t kMostBodies = 1'000'000, kLeastPoses = 16;
 #else
 constexpr std::size_t kPosesOfCase = 8;
 constexpr Effort kEffort{30, 8, 30, 20};
-constexpr std::size_t kMostBodies = 10'000;
+constexpr std::size_t kMostBodies = 10'000, kLeastPoses = 1;
 #endif
 constexpr int kLinesThroughVertices = 6;
 /// The oracle looks at every face for every point: cases of more faces than this get as much fewer
@@ -41,7 +41,8 @@ Effort effort_for(std::size_t faces) {
 /// As many poses as the case can afford: as it stands, then seeded ones.
 std::vector<Variant> poses_for(const Case& hard, std::size_t faces) {
   const auto& all = all_variants();
-  const auto count = static_cast<std::size_t>(share(kPosesOfCase, faces));
+  const std::size_t count =
+      std::max(kLeastPoses, static_cast<std::size_t>(share(kPosesOfCase, faces)));
   if (count >= all.size()) return all;
   std::vector<Variant> chosen{all.front()};
   std::seed_seq seed(hard.name.begin(), hard.name.end());

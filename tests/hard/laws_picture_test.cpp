@@ -7,6 +7,8 @@
 #include <random>
 
 #include "core/geometry/tessellate.h"
+#include "core/visibility/canonical.h"
+#include "core/visibility/view.h"
 #include "tests/hard/remade.h"
 #include "tests/hard/same_picture.h"
 #include "tests/hard/variant.h"
@@ -136,6 +138,26 @@ TEST(Law, MirroredScenesGiveMirroredPictures) {
   expect_law(all(), "mirror", [](const Scene& scene) {
     const SamePicture picture(scene);
     return picture.difference(flipped(runs_of(mirrored(scene), kOddRows)), oracle::kEndError);
+  });
+}
+
+/// The same canonical input, three rows farther down.
+TEST(Law, ShiftingByWholeRowsShiftsThePicture) {
+  expect_law(all(), "whole rows", [](const Scene& scene) {
+    constexpr int kRows = 3;
+    View view = make_view(scene, kGrid);
+    std::vector<Diagnostic> warnings;
+    auto canonical =
+        std::make_shared<const Canonical>(canonicalize(scene, view, kTolerance, warnings));
+    for (int column = 0; column < 4; ++column)
+      view.matrix[column][1] += kRows * view.matrix[column][2];
+    view.grid.rows += kRows;
+    DrawOptions options;
+    options.tolerance = kTolerance;
+    Drawing drawing(canonical, view, options);
+    Runs runs = runs_of(drawing, kOddRows);
+    runs.erase(runs.begin(), runs.begin() + kRows);
+    return SamePicture(scene).difference(runs, oracle::kEndError);
   });
 }
 
