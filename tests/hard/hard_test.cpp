@@ -61,11 +61,17 @@ void expect_warnings(const Case& hard, const std::vector<Diagnostic>& warnings) 
   for (const Diagnostic& d : warnings) ADD_FAILURE() << hard.name << " warns: " << d.message;
 }
 
-void judge(const Case& hard, const Variant& variant, const Effort& effort) {
+/// Of the points chosen where a case is hard, so many may lie so near an edge that either side is
+/// right.
+constexpr double kMostSkipped = 0.1;
+
+/// The number of points that were skipped.
+int judge(const Case& hard, const Variant& variant, const Effort& effort) {
   Trial trial(posed(hard.scene, variant), kGrid, kTolerance, hard.name + ", " + describe(variant),
               kFamilies, kLinesThroughVertices);
   expect_warnings(hard, trial.warnings());
   for (const std::string& failure : trial.judge(effort)) ADD_FAILURE() << failure;
+  return trial.skipped();
 }
 
 class HardCase : public testing::TestWithParam<std::string> {};
@@ -74,7 +80,13 @@ TEST_P(HardCase, IsWhatTheOracleSees) {
   const Case& hard = find_case(GetParam());
   if (hard.scene.bodies.size() > kMostBodies) GTEST_SKIP() << "only in the long test";
   const std::size_t faces = face_count(hard);
-  for (const Variant& variant : poses_for(hard, faces)) judge(hard, variant, effort_for(faces));
+  const Effort effort = effort_for(faces);
+  int skipped = 0, points = 0;
+  for (const Variant& variant : poses_for(hard, faces)) {
+    skipped += judge(hard, variant, effort);
+    points += effort.points + effort.gaps + effort.beside;
+  }
+  EXPECT_LE(skipped, kMostSkipped * points);
 }
 
 std::vector<std::string> names() {
