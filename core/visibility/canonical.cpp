@@ -229,7 +229,7 @@ class Assembler {
     const Plane& plane = out_.planes[face.plane];
     int axis = 0;
     while (axis < 3 && plane.normal[axis] != 1) ++axis;
-    if (axis == 3 || glm::dot(plane.normal, plane.normal) != 1) return;
+    if (axis == 3 || plane.normal[(axis + 1) % 3] != 0 || plane.normal[(axis + 2) % 3] != 0) return;
     const Index end = out_.loop_ends[face.end_loop - 1];
     for (Index i = out_.first_corner(face.first_loop); i < end; ++i)
       out_.vertices[out_.corners[i]][axis] = plane.offset;

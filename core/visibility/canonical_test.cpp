@@ -419,5 +419,30 @@ TEST(DensityLaw, IsNishitaAndNakamaes) {
     }
 }
 
+/// A line along the seam of two boxes that stand on one another far from zero looked between them:
+/// their planes were one, their vertices not.
+TEST(Canonicalize, BoxesOnOneAnotherShareTheSeamToTheBit) {
+  std::mt19937_64 random(7);
+  const auto tenths = [&](double most) {
+    return std::round(std::uniform_real_distribution<double>(-10 * most, 10 * most)(random)) / 10;
+  };
+  for (const double far : {10.0, 1e3, 1e5})
+    for (int n = 0; n < 100; ++n) {
+      const Vec3 foot(tenths(far), tenths(far), tenths(far));
+      const double height = 0.1 + std::fabs(tenths(3));
+      Scene scene;
+      scene.bodies.push_back(body(shape(Box{{2, 3, height}}), {Mat3(1), foot}));
+      scene.bodies.push_back(
+          body(shape(Box{{2, 2, 1.3}}), {Mat3(1), {foot.x, foot.y, foot.z + height}}));
+      const Canonical c = canon(scene).canonical;
+      double top = -HUGE_VAL, bottom = HUGE_VAL;
+      for (Index v = c.bodies[0].first_vertex; v < c.bodies[0].end_vertex; ++v)
+        top = std::max(top, c.vertices[v].z);
+      for (Index v = c.bodies[1].first_vertex; v < c.bodies[1].end_vertex; ++v)
+        bottom = std::min(bottom, c.vertices[v].z);
+      ASSERT_EQ(top, bottom) << far << ", " << n;
+    }
+}
+
 }  // namespace
 }  // namespace overstrike
