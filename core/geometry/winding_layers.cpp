@@ -25,7 +25,11 @@ class Arrangement {
               const FlatAxes& axes)
       : points_(points), axes_(axes) {
     for (const DirectedEdge& e : edges) paths_.push_back({at(e.from), at(e.to)});
-    while (divide()) continue;
+    // Pieces that leave a point in nearly one direction may be divided at the next double in each
+    // round: what is left then crosses within the last places, and its windings are found all the
+    // same.
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds && divide(); ++round) continue;
   }
 
   Vec2 flat(Index i) const { return axes_(points_[i]); }
@@ -68,7 +72,7 @@ class Arrangement {
     return made;
   }
 
-  /// One round; false when there was nothing to divide. Paths stay monotone in x and in y, between
+  /// One round; false when nothing was divided. Paths stay monotone in x and in y, between
   /// the ends of their edges, and there are only so many doubles: rounds come to an end. (As a rule
   /// after the first or the second.)
   bool divide() {
@@ -82,6 +86,7 @@ class Arrangement {
     }
     std::sort(divisions.begin(), divisions.end());
     // From the back, so that the steps in front keep their numbers.
+    bool divided = false;
     std::size_t end = divisions.size();
     while (end > 0) {
       std::size_t begin = end - 1;
@@ -89,15 +94,15 @@ class Arrangement {
         return d.path == divisions[end - 1].path && d.step == divisions[end - 1].step;
       };
       while (begin > 0 && same(divisions[begin - 1])) --begin;
-      insert(std::span(divisions).subspan(begin, end - begin));
+      divided |= insert(std::span(divisions).subspan(begin, end - begin));
       end = begin;
     }
-    return !divisions.empty();
+    return divided;
   }
 
   /// Rounding may put two points of a piece into an order that is not that of both coordinates: the
   /// second one is left for the next round.
-  void insert(std::span<const Division> divisions) {
+  bool insert(std::span<const Division> divisions) {
     std::vector<Index>& path = paths_[divisions[0].path];
     const std::size_t step = divisions[0].step;
     std::vector<Index> between;
@@ -111,6 +116,7 @@ class Arrangement {
     }
     path.insert(path.begin() + static_cast<std::ptrdiff_t>(step) + 1, between.begin(),
                 between.end());
+    return !between.empty();
   }
 
   void find_contacts(const Piece& e, const Piece& f, std::vector<Division>& out) {
