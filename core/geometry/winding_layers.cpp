@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/geometry/expansion.h"
 #include "core/geometry/polygon.h"
 
 namespace overstrike {
@@ -18,152 +19,180 @@ bool within_box(const Vec2& p, const Vec2& a, const Vec2& b) {
          p.y <= std::max(a.y, b.y);
 }
 
-/// The points of the outlines and the pieces between them, divided until pieces meet in ends only.
+/// The points of the outlines and the pieces between them, which meet in ends only.
+///
+/// Outlines that touch or cross are divided by snap rounding (Hobby 1999): a lattice of two last
+/// places of the largest coordinate is laid over them; the squares of it that hold an end or a
+/// crossing are *hot*, and an edge is led through the middles of the hot squares that it passes. So
+/// it moves by less than a square, and no pieces cross but in a middle. One pass does: nothing that
+/// is divided is divided again, as pieces that leave a point in nearly one direction would be, at
+/// the next double each time.
 class Arrangement {
  public:
   Arrangement(const std::vector<Vec3>& points, const std::vector<DirectedEdge>& edges,
               const FlatAxes& axes)
       : points_(points), axes_(axes) {
+    for (const Vec3& p : points_) flat_.push_back(axes_(p));
     for (const DirectedEdge& e : edges) paths_.push_back({at(e.from), at(e.to)});
-    // Pieces that leave a point in nearly one direction may be divided at the next double in each
-    // round: what is left then crosses within the last places, and its windings are found all the
-    // same.
-    constexpr int kMostRounds = 8;
-    for (int round = 0; round < kMostRounds && divide(); ++round) continue;
+    find_contacts();
+    if (!contacts_.empty()) snap();
   }
 
-  Vec2 flat(Index i) const { return axes_(points_[i]); }
+  /// The middle of its square where outlines were divided.
+  const Vec2& flat(Index i) const { return flat_[i]; }
   std::vector<Vec3>& points() { return points_; }
   std::vector<std::vector<Index>>& paths() { return paths_; }
 
  private:
-  /// A piece of a path, between its points `step` and step + 1.
-  struct Piece {
-    Index a, b;
+  struct Edge {
     Vec2 p, q;
-    std::size_t path, step;
+    std::size_t path;
     double low() const { return std::min(p.x, q.x); }
     double high() const { return std::max(p.x, q.x); }
   };
-  /// `point` divides the piece; in order of pieces, then along them.
-  struct Division {
-    std::size_t path, step;
-    double along;
+  /// Two edges that cross, or an edge and a point on it.
+  struct Contact {
+    std::size_t e, f;  ///< in edges_; f is the same as e when there is a point
     Index point;
-    bool operator<(const Division& o) const {
-      return std::tie(path, step, along, point) < std::tie(o.path, o.step, o.along, o.point);
-    }
   };
 
+  /// The first point in the same place.
   Index at(Index point) {
-    const Vec2 p = flat(point);
-    return first_at_.try_emplace({p.x, p.y}, point).first->second;
+    return first_at_.try_emplace({flat_[point].x, flat_[point].y}, point).first->second;
   }
 
-  std::vector<Piece> pieces() const {
-    std::vector<Piece> made;
-    for (std::size_t path = 0; path < paths_.size(); ++path)
-      for (std::size_t i = 0; i + 1 < paths_[path].size(); ++i) {
-        const Index a = paths_[path][i], b = paths_[path][i + 1];
-        if (a != b) made.push_back({a, b, flat(a), flat(b), path, i});
-      }
-    std::stable_sort(made.begin(), made.end(),
-                     [](const Piece& e, const Piece& f) { return e.low() < f.low(); });
-    return made;
-  }
-
-  /// One round; false when nothing was divided. Paths stay monotone in x and in y, between
-  /// the ends of their edges, and there are only so many doubles: rounds come to an end. (As a rule
-  /// after the first or the second.)
-  bool divide() {
-    const std::vector<Piece> all = pieces();
-    std::vector<Division> divisions;
+  void find_contacts() {
+    for (std::size_t path = 0; path < paths_.size(); ++path) {
+      const Vec2 &p = flat_[paths_[path][0]], &q = flat_[paths_[path][1]];
+      if (p != q) edges_.push_back({p, q, path});
+    }
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [](const Edge& e, const Edge& f) { return e.low() < f.low(); });
     std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      std::erase_if(open, [&](std::size_t j) { return all[j].high() < all[i].low(); });
-      for (const std::size_t j : open) find_contacts(all[j], all[i], divisions);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      std::erase_if(open, [&](std::size_t j) { return edges_[j].high() < edges_[i].low(); });
+      for (const std::size_t j : open) find_contacts(j, i);
       open.push_back(i);
     }
-    std::sort(divisions.begin(), divisions.end());
-    // From the back, so that the steps in front keep their numbers.
-    bool divided = false;
-    std::size_t end = divisions.size();
-    while (end > 0) {
-      std::size_t begin = end - 1;
-      const auto same = [&](const Division& d) {
-        return d.path == divisions[end - 1].path && d.step == divisions[end - 1].step;
-      };
-      while (begin > 0 && same(divisions[begin - 1])) --begin;
-      divided |= insert(std::span(divisions).subspan(begin, end - begin));
-      end = begin;
-    }
-    return divided;
   }
 
-  /// Rounding may put two points of a piece into an order that is not that of both coordinates: the
-  /// second one is left for the next round.
-  bool insert(std::span<const Division> divisions) {
-    std::vector<Index>& path = paths_[divisions[0].path];
-    const std::size_t step = divisions[0].step;
-    std::vector<Index> between;
-    Vec2 last = flat(path[step]);
-    const Vec2 end = flat(path[step + 1]);
-    for (const Division& d : divisions) {
-      const Vec2 p = flat(d.point);
-      if (p == last || !within_box(p, last, end)) continue;
-      between.push_back(d.point);
-      last = p;
-    }
-    path.insert(path.begin() + static_cast<std::ptrdiff_t>(step) + 1, between.begin(),
-                between.end());
-    return !between.empty();
-  }
-
-  void find_contacts(const Piece& e, const Piece& f, std::vector<Division>& out) {
+  void find_contacts(std::size_t i, std::size_t j) {
+    const Edge &e = edges_[i], &f = edges_[j];
     if (std::max(e.p.y, e.q.y) < std::min(f.p.y, f.q.y)) return;
     if (std::max(f.p.y, f.q.y) < std::min(e.p.y, e.q.y)) return;
     const int ep = turn_of(f.p, f.q, e.p), eq = turn_of(f.p, f.q, e.q);
     if (ep * eq > 0) return;
     const int fp = turn_of(e.p, e.q, f.p), fq = turn_of(e.p, e.q, f.q);
-    if (ep * eq < 0 && fp * fq < 0) {
-      const Index point = crossing(e, f);
-      divide_at(e, point, out), divide_at(f, point, out);
-      return;
-    }
-    if (ep == 0) divide_at(f, e.a, out);
-    if (eq == 0) divide_at(f, e.b, out);
-    if (fp == 0) divide_at(e, f.a, out);
-    if (fq == 0) divide_at(e, f.b, out);
+    if (ep * eq < 0 && fp * fq < 0) contacts_.push_back({i, j, 0});
+    if (ep == 0) touch(j, paths_[e.path].front());
+    if (eq == 0) touch(j, paths_[e.path].back());
+    if (fp == 0) touch(i, paths_[f.path].front());
+    if (fq == 0) touch(i, paths_[f.path].back());
   }
 
-  void divide_at(const Piece& e, Index point, std::vector<Division>& out) const {
-    const Vec2 p = flat(point);
-    if (point == e.a || point == e.b || !within_box(p, e.p, e.q)) return;
-    out.push_back({e.path, e.step, std::fabs(p.x - e.p.x) + std::fabs(p.y - e.p.y), point});
+  void touch(std::size_t i, Index point) {
+    const Edge& e = edges_[i];
+    if (point == paths_[e.path].front() || point == paths_[e.path].back()) return;
+    if (within_box(flat_[point], e.p, e.q)) contacts_.push_back({i, i, point});
   }
 
-  /// Where they cross, rounded, and not outside of what both reach.
-  Index crossing(const Piece& e, const Piece& f) {
-    const Vec2 along = e.q - e.p, other = f.q - f.p, between = f.p - e.p;
-    const double part =
-        (between.x * other.y - between.y * other.x) / (along.x * other.y - along.y * other.x);
-    Vec3 point = points_[e.a] + (points_[e.b] - points_[e.a]) * part;
-    for (const int axis : {axes_.x, axes_.y}) {
-      const auto [e_low, e_high] = std::minmax(points_[e.a][axis], points_[e.b][axis]);
-      const auto [f_low, f_high] = std::minmax(points_[f.a][axis], points_[f.b][axis]);
-      point[axis] = std::clamp(point[axis], std::max(e_low, f_low), std::min(e_high, f_high));
+  void snap() {
+    double reach = 0;
+    for (const Vec2& p : flat_) reach = std::max({reach, std::fabs(p.x), std::fabs(p.y)});
+    // So that corners of squares, at half a side, are doubles.
+    side_ = std::ldexp(1.0, std::ilogb(reach) - 51);
+    first_at_.clear();
+    for (Vec2& p : flat_) p = Vec2(middle_of(p.x), middle_of(p.y));
+    for (std::vector<Index>& path : paths_) path = {at(path.front()), at(path.back())};
+    std::vector<std::vector<Index>> passed(paths_.size());
+    for (const Contact& c : contacts_) {
+      const Index point = c.e == c.f ? at(c.point) : crossing(edges_[c.e], edges_[c.f]);
+      passed[edges_[c.e].path].push_back(point);
+      passed[edges_[c.f].path].push_back(point);
     }
+    std::vector<std::pair<double, Index>> hot;
+    for (const auto& [middle, point] : first_at_) hot.push_back({middle.first, point});
+    for (const Edge& e : edges_) lead(e, hot, std::move(passed[e.path]));
+  }
+
+  /// A square holds its lower borders.
+  double middle_of(double x) const { return std::floor(x / side_ + 0.5) * side_; }
+  /// Of over / under, which is exact.
+  double middle_of(const Expansion& over, const Expansion& under) const {
+    double middle = middle_of(over.approximate() / under.approximate());
+    const auto is_below = [&](double border) {
+      return (over - Expansion(border) * under).sign() * under.sign() < 0;
+    };
+    while (is_below(middle - side_ / 2)) middle -= side_;
+    while (!is_below(middle + side_ / 2)) middle += side_;
+    return middle;
+  }
+
+  /// The point that stands for the square in which they cross.
+  Index crossing(const Edge& e, const Edge& f) {
+    const auto minus = [](double a, double b) { return Expansion(a) - Expansion(b); };
+    const Expansion x = minus(e.q.x, e.p.x), y = minus(e.q.y, e.p.y);
+    const Expansion fx = minus(f.q.x, f.p.x), fy = minus(f.q.y, f.p.y);
+    const Expansion under = x * fy - y * fx;
+    const Expansion part = minus(f.p.x, e.p.x) * fy - minus(f.p.y, e.p.y) * fx;
+    const Vec2 middle(middle_of(Expansion(e.p.x) * under + x * part, under),
+                      middle_of(Expansion(e.p.y) * under + y * part, under));
     const Index fresh = static_cast<Index>(points_.size());
+    const Index first = first_at_.try_emplace({middle.x, middle.y}, fresh).first->second;
+    if (first != fresh) return first;
+    const Vec3 &from = points_[paths_[e.path].front()], &to = points_[paths_[e.path].back()];
+    Vec3 point = from + (to - from) * (part.approximate() / under.approximate());
+    point[axes_.x] = middle.x, point[axes_.y] = middle.y;
     points_.push_back(point);
-    const Index first = at(fresh);
-    if (first != fresh) points_.pop_back();
+    flat_.push_back(middle);
     return first;
   }
 
+  /// Through the hot squares, which are in order of x.
+  void lead(const Edge& e, const std::vector<std::pair<double, Index>>& hot,
+            std::vector<Index> passed) {
+    std::vector<Index>& path = paths_[e.path];
+    const Index a = path.front(), b = path.back();
+    for (auto it = std::lower_bound(hot.begin(), hot.end(), std::pair(e.low() - side_, Index{0}));
+         it != hot.end() && it->first <= e.high() + side_; ++it)
+      if (passes(e, flat_[it->second])) passed.push_back(it->second);
+    std::erase_if(passed, [&](Index i) { return i == a || i == b; });
+    // Of the two that an edge passes at one step of the coordinate in which it is longer, the one
+    // first that is first in the other.
+    const Vec2 along = e.q - e.p;
+    const bool by_x = std::fabs(along.x) >= std::fabs(along.y);
+    const auto key = [&](Index i) {
+      const double x = along.x < 0 ? -flat_[i].x : flat_[i].x;
+      const double y = along.y < 0 ? -flat_[i].y : flat_[i].y;
+      return by_x ? std::pair(x, y) : std::pair(y, x);
+    };
+    std::sort(passed.begin(), passed.end(), [&](Index i, Index j) { return key(i) < key(j); });
+    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    path = {a};
+    path.insert(path.end(), passed.begin(), passed.end());
+    path.push_back(b);
+  }
+
+  /// The inside of the square about a middle. (What touches its border goes through it only where
+  /// the contact is its reason.)
+  bool passes(const Edge& e, const Vec2& middle) const {
+    const Vec2 low = middle - side_ / 2, high = middle + side_ / 2;
+    if (std::max(e.p.x, e.q.x) <= low.x || std::min(e.p.x, e.q.x) >= high.x) return false;
+    if (std::max(e.p.y, e.q.y) <= low.y || std::min(e.p.y, e.q.y) >= high.y) return false;
+    // Of the corners farthest to either side of the line.
+    const bool rises = (e.q.x - e.p.x) * (e.q.y - e.p.y) > 0;
+    const Vec2 left(rises ? low.x : high.x, high.y), right(rises ? high.x : low.x, low.y);
+    return turn_of(e.p, e.q, left) * turn_of(e.p, e.q, right) < 0;
+  }
+
   std::vector<Vec3> points_;
+  std::vector<Vec2> flat_;  ///< per point
   FlatAxes axes_;
   std::map<std::pair<double, double>, Index> first_at_;
   std::vector<std::vector<Index>> paths_;
+  std::vector<Edge> edges_;  ///< as given
+  std::vector<Contact> contacts_;
+  double side_ = 0;
 };
 
 /// A piece of border, that w is higher on the left of by `step` > 0.
