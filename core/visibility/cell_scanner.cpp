@@ -101,7 +101,7 @@ std::span<const float> CellScanner::resolve(std::int64_t row, const std::vector<
   }
   double low = 0, high = table_.columns;
   for (const Clip& c : clips_) low = std::min(low, c.low), high = std::max(high, c.high);
-  resolve_band({0, 1, 0}, 0, low, high);
+  resolve_band({0, 1}, 0, low, high);
   active_.clear();
   return cells_.finish();
 }
@@ -134,7 +134,7 @@ void CellScanner::cluster(const Band& band, std::size_t first, std::size_t last,
   // A few edges are quicker cut into slabs than gathered again; and many that meet in a point never
   // come apart.
   constexpr std::size_t kFew = 6;
-  constexpr int kMostHalvings = 12;
+  constexpr int kMostHalvings = 12, kMostInVain = 3;
   if (high <= 0 || low >= table_.columns) {
     // Out of sight: only what it leaves active matters, the same at every height.
     for (std::size_t i = first; i < last; ++i)
@@ -145,7 +145,7 @@ void CellScanner::cluster(const Band& band, std::size_t first, std::size_t last,
   const Clip& only = clips_[first];
   if (last - first == 1 && only.edge != kNone && only.ya == band.ya && only.yb == band.yb) {
     heights_ = {band.ya, band.yb};
-  } else if (last - first > kFew && band.halvings < kMostHalvings) {
+  } else if (last - first > kFew && band.halvings < kMostHalvings && band.in_vain < kMostInVain) {
     halves(band, first, last, low, high);
     return;
   } else {
@@ -163,8 +163,10 @@ void CellScanner::halves(const Band& band, std::size_t first, std::size_t last, 
                          double high) {
   const double middle = band.ya + (band.yb - band.ya) / 2;
   const std::size_t end = clips_.size();
-  for (const Band& half :
-       {Band{band.ya, middle, band.halvings + 1}, Band{middle, band.yb, band.halvings + 1}}) {
+  // Edges that lie all but on one another stay together.
+  const int in_vain = last - first < band.edges ? 0 : band.in_vain + 1;
+  for (const Band& half : {Band{band.ya, middle, band.halvings + 1, in_vain, last - first},
+                           Band{middle, band.yb, band.halvings + 1, in_vain, last - first}}) {
     for (std::size_t i = first; i < last; ++i) {
       const Clip c = clips_[i];
       if (c.edge != kNone) {

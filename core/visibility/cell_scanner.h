@@ -24,6 +24,7 @@
 // averaged over scan lines half the tolerance apart instead, for the same promise. Scenes of
 // flat-faced bodies, exact whatever the tolerance, are cut exactly up to five times the crowd.
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -62,7 +63,9 @@ class CellScanner {
   /// Clips of a band lie in clips_[first, end).
   struct Band {
     double ya, yb;
-    int halvings;
+    int halvings = 0;
+    int in_vain = 0;  ///< of the last ones, which parted nothing
+    std::size_t edges = std::numeric_limits<std::size_t>::max();  ///< of what was halved
   };
   void gather(const std::vector<Index>& edges, const std::vector<Index>& flat_edges);
   void add_clip(Index edge, double ya, double yb);

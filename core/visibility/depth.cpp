@@ -120,7 +120,7 @@ double crossing_exactly(const ExactPlane& p, const ExactPlane& q, double y) {
 }
 
 DepthField::DepthField(const std::vector<Plane>& planes, const View& view)
-    : map_(planes, kNoFurther, view) {
+    : map_(planes, kNoFurther, view), asked_(planes.size()), exact_(planes.size()) {
   depths_.reserve(planes.size());
   seen_edge_on_.reserve(planes.size());
   for (Index p = 0; p < planes.size(); ++p) {
@@ -130,10 +130,16 @@ DepthField::DepthField(const std::vector<Plane>& planes, const View& view)
   }
 }
 
+const ExactPlane& DepthField::exact(Index plane) const {
+  std::call_once(asked_[plane],
+                 [&] { exact_[plane] = std::make_unique<const ExactPlane>(map_.exact(plane)); });
+  return *exact_[plane];
+}
+
 int DepthField::compare(Index f, Index g, double x, double y) const {
   if (f == g) return 0;
   const int side = compare_roughly(depths_[f], depths_[g], x, y);
-  return side != 0 ? side : compare_exactly(map_.exact(f), map_.exact(g), x, y);
+  return side != 0 ? side : compare_exactly(exact(f), exact(g), x, y);
 }
 
 }  // namespace overstrike

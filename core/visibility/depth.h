@@ -3,6 +3,8 @@
 // cannot tell.
 #include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -86,9 +88,14 @@ class DepthField {
   int compare(Index f, Index g, double x, double y) const;
 
  private:
+  /// Found once, when doubles could not tell; by any number of threads.
+  const ExactPlane& exact(Index plane) const;
+
   DepthMap map_;
   std::vector<DepthPlane> depths_;
   std::vector<char> seen_edge_on_;
+  mutable std::vector<std::once_flag> asked_;
+  mutable std::vector<std::unique_ptr<const ExactPlane>> exact_;
 };
 
 /// Sign of a . x + b . y + ... over four components, in exact arithmetic.
