@@ -287,10 +287,9 @@ bool needs_cut(const Canonical& c, const Plane& keep) {
     lowest = std::min(lowest, height(keep, p));
     reach = std::max({reach, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
-  const bool far = lowest > clip_rounding(keep, 3 * reach);
+  if (lowest > clip_rounding(keep, 3 * reach)) return false;
   std::vector<double> heights;
   return std::any_of(c.bodies.begin(), c.bodies.end(), [&](const CanonicalBody& body) {
-    if (far && body.on_planes) return false;
     clip_heights(c, body, keep, heights);
     return std::any_of(heights.begin(), heights.end(), [](double h) { return h < 0; });
   });

@@ -17,7 +17,7 @@ void clip_heights(const Canonical& canonical, const CanonicalBody& body, const P
                   std::vector<double>& heights);
 
 /// A vertex whose coordinates' sizes add up to at most `reach` has the sign of its own coordinates
-/// where it is farther than this from the plane; but for bodies that are off their planes.
+/// where it is farther than this from the plane.
 double clip_rounding(const Plane& keep, double reach);
 
 }  // namespace overstrike

@@ -49,7 +49,6 @@ bool StretchKeeper::apart(const SlackLine& a, const SlackLine& b) {
 }
 
 double StretchKeeper::keep(double y, double least, const SlackLine& left, const SlackLine& right,
-
                            std::span<const std::span<const FrontSide>> fronts,
                            std::vector<KeptPiece>& pieces) {
   y_ = y, least_ = least;

@@ -40,8 +40,8 @@ class RowSweep {
   void make_plan(double y);
   bool follow_plan(double y, std::vector<SpanPiece>& pieces);
   bool look_at_fronts(double y);
-  void keep(RowPlan::Segment& segment, double y);
   bool look_at_front(RowPlan::Item& item, double y);
+  void keep(RowPlan::Segment& segment, double y);
   void show_kept(const RowPlan::Segment& segment, double y, const Interval& over,
                  std::vector<SpanPiece>& pieces) const;
   bool walk(RowPlan::Item& item, double y);
