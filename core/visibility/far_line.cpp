@@ -124,8 +124,8 @@ LineError far_line_error(const FrontTable& table, Index number) {
     most = glm::max(most, glm::abs(at));
     error = std::max(error, point_error(table.view, table.canonical.vertices[v], at));
   }
-  return {2 * error + 16 * kEps * most.x,
-          2 * error + 16 * kEps * most.y + beside_line(table.columns, table.rows)};
+  return {2 * error + 16 * kEps * most.x, 2 * error + 16 * kEps * most.y,
+          beside_line(table.columns, table.rows)};
 }
 
 }  // namespace overstrike

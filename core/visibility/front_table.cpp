@@ -103,13 +103,11 @@ void Builder::project(Index number) {
   const double far = std::max(most.x, most.y);
   if (!view_.perspective) least_w = 1;
   const double error = 2 * kEps * (std::max(size.x, size.y) + size.z * far) / least_w + kEps * far;
-  // The ends' own errors, moved along by the slope, the rounding of x_at itself, and the height at
-  // which lines are looked at for their own.
+  // The ends' own errors, moved along by the slope, and the rounding of x_at itself.
   const double beside =
       table_.use == FrontUse::picture ? beside_line(table_.columns, table_.rows) : 0;
-  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y + beside,
-                      4 * kEps * std::max(size.x, size.y) / least_w + beside,
-                      4 * kEps * size.z / least_w};
+  front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y, beside,
+                      4 * kEps * std::max(size.x, size.y) / least_w, 4 * kEps * size.z / least_w};
   if (front.far) front.line_error = far_line_error(table_, number);
 }
 
@@ -235,7 +233,7 @@ void Builder::add_ground() {
   ground.simple = true;
   const double reach = std::max(table_.columns, table_.rows) + 1;
   const double beside = beside_line(table_.columns, table_.rows);
-  ground.line_error = {6 * kEps * reach, 6 * kEps * reach + beside, beside, 0};
+  ground.line_error = {6 * kEps * reach, 6 * kEps * reach, beside, 0, 0};
   if (!is_seen) return;
   outlines_.find_ground(polygon);
 }

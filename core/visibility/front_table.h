@@ -40,37 +40,51 @@ struct LevelLine {
 /// `per_slope` across them; the latter moves its crossing to where it is at a level as far away,
 /// but not past its ends. So nearly level lines are as uncertain as they are wide, and no more.
 ///
+/// Levels are looked at a height `beside` them (run_source.h): between lines that meet in a corner
+/// on a level lies what the level does not meet. That counts up to kSmallSlack along the level, and
+/// what is wider is shown: it is as true as what is seen on its hands.
+///
 /// The constants are those of the body's farthest point. Where a body passes the eye that is far
 /// outside of the grid; a line that is not has a bound of its own, which is asked for where the
 /// body's is more than kSmallSlack: what no device and no test tells.
 constexpr double kSmallSlack = 1e-9;
 struct LineError {
-  float constant = 0, per_slope = 0;
+  float constant = 0, per_slope = 0, beside = 0;
   /// Of what x^ and y^ round: everywhere. Of what w^ does: for each unit that the line passes the
   /// grid's origin by, as that takes points towards the origin or away from it.
   float everywhere = 0, radial = 0;
 
   /// Rounds the bounds up.
   LineError() = default;
-  LineError(double for_all, double for_slope)
-      : constant(up(for_all)), per_slope(up(for_slope)), everywhere(HUGE_VALF) {}
-  LineError(double for_all, double for_slope, double for_sums, double for_w)
+  LineError(double for_all, double for_slope, double for_height)
       : constant(up(for_all)),
         per_slope(up(for_slope)),
+        beside(up(for_height)),
+        everywhere(HUGE_VALF) {}
+  LineError(double for_all, double for_slope, double for_height, double for_sums, double for_w)
+      : constant(up(for_all)),
+        per_slope(up(for_slope)),
+        beside(up(for_height)),
         everywhere(up(for_sums)),
         radial(up(for_w)) {}
 
   double of(const LevelLine& line) const {
-    const double error = of(line.y1 - line.y0, line.slope);
-    return error <= kSmallSlack ? error : std::min(own(line), error);
+    const double height = line.y1 - line.y0, error = of(height, line.slope);
+    if (error <= kSmallSlack) return error;
+    const double s = std::fabs(line.slope);
+    const double by_rounding = std::min(own(line), off_by(height, s, per_slope));
+    return std::min(by_rounding + std::min(beside * s, kSmallSlack), error);
   }
-  /// By the body's bounds.
+  /// By the body's bounds, and more than of(line) where that is more than kSmallSlack.
   double of(double height, double slope) const {
-    return constant + std::min<double>(per_slope, height) * std::fabs(slope);
+    return off_by(height, std::fabs(slope), static_cast<double>(per_slope) + beside);
   }
 
  private:
   static float up(double bound) { return static_cast<float>(bound * (1 + 0x1p-20)); }
+  double off_by(double height, double steep, double across) const {
+    return constant + std::min(across, height) * steep;
+  }
   /// To these come the quotients' own rounding and that of x_at, of which this is four times as
   /// much: FrontWalker relies on that.
   double own(const LevelLine& line) const {

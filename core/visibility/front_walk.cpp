@@ -190,7 +190,8 @@ bool FrontWalker::walk_triangles(const CanonicalBody& body, const LineError& err
   Vec2 top = points[corners[side.corner]], bottom = points[corners[after(side.corner, first)]];
   if (behind) std::swap(top, bottom);
   double from = front.from, until = front.until;
-  const double constant = error.constant, per_slope = error.per_slope;
+  const double constant = error.constant;
+  const double per_slope = static_cast<double>(error.per_slope) + error.beside;
   const auto add = [&](Index face) {
     from = std::max(from, top.y), until = std::min(until, bottom.y);
     const double height = bottom.y - top.y, slope = (bottom.x - top.x) / height;

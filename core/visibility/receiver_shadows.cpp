@@ -102,8 +102,8 @@ void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Bo
   const double end = line.x_at(line.y1);
   const double across = std::max(std::fabs(line.x0), std::fabs(end));
   const double tall = std::max(std::fabs(line.y0), std::fabs(line.y1));
-  const LineError of_lines{2 * errors.point + 4 * kEps * across,
-                           2 * errors.point + 4 * kEps * tall + errors.beside};
+  const LineError of_lines{2 * errors.point + 4 * kEps * across, 2 * errors.point + 4 * kEps * tall,
+                           errors.beside};
   const double error = of_lines.of(line);
   if (std::min(line.x0, end) > receiver.high.x + error) return;
   const int winding = down ? edge.winding : -edge.winding;
