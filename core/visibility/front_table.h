@@ -47,7 +47,12 @@ struct LevelLine {
 /// The constants are those of the body's farthest point. Where a body passes the eye that is far
 /// outside of the grid; a line that is not has a bound of its own, which is asked for where the
 /// body's is more than kSmallSlack: what no device and no test tells.
-constexpr double kSmallSlack = 1e-9;
+///
+/// A line that is nearly level is uncertain by as much as it is wide, which may be the whole
+/// picture. Wherever it is met within that shows what a level a hair away shows; what lies beside
+/// it is sure and must not be left out for its sake, as what is narrower than two slacks is. So no
+/// more than kMostSlack counts.
+constexpr double kSmallSlack = 1e-9, kMostSlack = 1e-3;
 struct LineError {
   float constant = 0, per_slope = 0, beside = 0;
   /// Of what x^ and y^ round: everywhere. Of what w^ does: for each unit that the line passes the
@@ -73,7 +78,7 @@ struct LineError {
     if (error <= kSmallSlack) return error;
     const double s = std::fabs(line.slope);
     const double by_rounding = std::min(own(line), off_by(height, s, per_slope));
-    return std::min(by_rounding + std::min(beside * s, kSmallSlack), error);
+    return std::min({by_rounding + std::min(beside * s, kSmallSlack), error, kMostSlack});
   }
   /// By the body's bounds, and more than of(line) where that is more than kSmallSlack.
   double of(double height, double slope) const {
