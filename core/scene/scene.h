@@ -32,6 +32,26 @@ struct Body {
   Place place;  ///< where the scene names it
 };
 
+enum class SetOperation : std::uint8_t { operand, unite, subtract, intersect };
+
+/// A node of a Boolean solid's tree. Nodes stand in preorder: a node's first operand follows it,
+/// and each further one begins where the one before it ends. `subtract` takes all others from the
+/// first.
+struct SolidNode {
+  SetOperation operation = SetOperation::operand;
+  std::uint32_t body = 0;  ///< of an operand: in Scene::bodies
+  std::uint32_t end = 0;   ///< where the nodes below it end; of an operand, the next node
+};
+
+/// A solid that is drawn without ever computing its boundary. Its operands are bodies that do not
+/// stand for themselves; each body is an operand once at most. A cut face shows what its operand
+/// has: density factor, shading, pen.
+struct Solid {
+  std::vector<SolidNode> nodes;  ///< the root comes first
+  std::string name;              ///< empty when the scene gave none
+  Place place;                   ///< where the scene names it
+};
+
 /// A line in space, drawn as a stroke where nothing hides it.
 struct Segment {
   Vec3 from, to;
@@ -76,6 +96,7 @@ struct DensityLaw {
 /// What is missing stands at its default: no light, no ground.
 struct Scene {
   std::vector<Body> bodies;
+  std::vector<Solid> solids;
   std::vector<Segment> segments;
   Camera camera;
   std::optional<Direction> light;

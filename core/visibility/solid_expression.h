@@ -1,0 +1,64 @@
+#pragma once
+// A Boolean solid's expression, evaluated along depth without expanding it (sums of products are
+// exponential in the depth of the tree).
+//
+// Differences become intersections with complements, and complements are pushed down to the
+// operands (De Morgan); unions of unions and intersections of intersections become one. What is
+// left are *terms* that are true while at least so many of their members are: one of a union, all
+// of an intersection. Where an operand is entered or left its terms count, and only a term that
+// changes tells the one above (TK 3.3.4 counts the same way, over products).
+#include <span>
+#include <vector>
+
+#include "core/geometry/polyhedron.h"
+#include "core/scene/scene.h"
+
+namespace overstrike {
+
+/// What never changes; shared between threads.
+class SolidExpression {
+ public:
+  static constexpr Index kNoTerm = 0xFFFFFFFFu;
+
+  /// `operand_of[i]`: the number of the operand that the i-th leaf of `nodes` (in their order) is;
+  /// leaves of one number are the same set. Numbers run from 0 to `operands` - 1. A node without
+  /// operands is empty.
+  SolidExpression(std::span<const SolidNode> nodes, std::span<const Index> operand_of,
+                  Index operands);
+
+  Index operands() const { return static_cast<Index>(first_leaf_.size() - 1); }
+  Index terms() const { return static_cast<Index>(terms_.size()); }
+
+  /// One place on its way along a line of sight. Outside of everything at first. One a thread.
+  class State {
+   public:
+    explicit State(const SolidExpression& expression);
+    /// True when the place is in the solid.
+    bool inside() const { return counts_[0] >= expression_->terms_[0].needed; }
+    bool in(Index operand) const { return in_[operand] != 0; }
+    /// Enters the operand, or leaves it.
+    void flip(Index operand);
+
+   private:
+    const SolidExpression* expression_;
+    std::vector<Index> counts_;  ///< per term: how many of its members are true
+    std::vector<char> in_;       ///< per operand
+  };
+
+ private:
+  struct Term {
+    Index parent;   ///< kNoTerm: the root, which is term 0
+    Index needed;   ///< true while so many members are, or more
+    Index at_rest;  ///< members that are true outside of everything
+  };
+  struct Leaf {
+    Index term;
+    bool complement;
+  };
+  friend class State;
+  std::vector<Term> terms_;
+  std::vector<Leaf> leaves_;       ///< by operand
+  std::vector<Index> first_leaf_;  ///< per operand, and one past the last
+};
+
+}  // namespace overstrike
