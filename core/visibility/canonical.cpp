@@ -11,6 +11,7 @@
 #include "core/large_pages.h"
 #include "core/visibility/camera_frame.h"
 #include "core/visibility/placed_shapes.h"
+#include "core/visibility/placed_solids.h"
 #include "core/visibility/plane_rounding.h"
 #include "core/visibility/view.h"
 
@@ -81,12 +82,13 @@ class Assembler {
     if (scene.light) out_.light = unit_vector(*scene.light);
     for (const Body& body : scene.bodies)
       any_smooth_ = any_smooth_ || body.shading == Shading::smooth;
+    bodies_ = scene.solids.empty() ? placed_.all() : with_solids(scene, placed_, out_);
   }
 
   /// Edges come last, when what welding needs has been given back.
   Canonical assemble() {
     make_room();
-    for (const PlacedShape& placed : placed_.all()) add(placed);
+    for (const PlacedShape& placed : bodies_) add(placed);
     weld();
     for (std::size_t b = 0; b < out_.bodies.size(); ++b) add_edges(b);
     return std::move(out_);
@@ -96,12 +98,12 @@ class Assembler {
   /// A vector that grows holds what it has twice.
   void make_room() {
     std::size_t vertices = 0, corners = 0, loops = 0, faces = 0, edges = 0;
-    for (const PlacedShape& placed : placed_.all()) {
+    for (const PlacedShape& placed : bodies_) {
       const Polyhedron& p = placed.shape->polyhedron;
       vertices += p.vertices.size(), corners += p.indices.size(), loops += p.loop_ends.size();
       faces += p.face_count(), edges += placed.shape->edges.size();
     }
-    out_.bodies.reserve(placed_.all().size());
+    out_.bodies.reserve(bodies_.size());
     out_.vertices.reserve(vertices), out_.corners.reserve(corners), out_.loop_ends.reserve(loops);
     out_.faces.reserve(faces), out_.edges.reserve(edges), samples_.reserve(faces);
     if (any_smooth_) out_.corner_normals.reserve(corners);
@@ -205,7 +207,7 @@ class Assembler {
     std::size_t grouped = 0;
     for (std::size_t b = 0; b < out_.bodies.size(); ++b) {
       const CanonicalBody& body = out_.bodies[b];
-      const bool in_groups = !placed_.all()[b].shape->polyhedron.plane_groups.empty();
+      const bool in_groups = !bodies_[b].shape->polyhedron.plane_groups.empty();
       for (Index f = body.first_face; f < body.end_face; ++f) {
         CanonicalFace& face = out_.faces[f];
         const Vec3& normal =
@@ -240,7 +242,7 @@ class Assembler {
     std::vector<std::pair<Index, Index>> pairs;
     for (std::size_t b = 0; b < out_.bodies.size(); ++b) {
       const CanonicalFace* const faces = out_.faces.data() + out_.bodies[b].first_face;
-      for (const EdgePair& e : placed_.all()[b].shape->edges)
+      for (const EdgePair& e : bodies_[b].shape->edges)
         if (e.right != kNoFace) pairs.emplace_back(faces[e.left].plane, faces[e.right].plane);
     }
     return pairs;
@@ -248,7 +250,7 @@ class Assembler {
 
   void add_edges(std::size_t number) {
     const CanonicalBody& body = out_.bodies[number];
-    const PlacedShape& placed = placed_.all()[number];
+    const PlacedShape& placed = bodies_[number];
     const bool mirrored = glm::determinant(placed_.placement(placed).linear) < 0;
     for (std::size_t i = 0; i < placed.shape->edges.size(); ++i) {
       const EdgePair& e = placed.shape->edges[i];
@@ -294,6 +296,7 @@ class Assembler {
 
   const View& view_;
   PlacedShapes placed_;
+  std::vector<PlacedShape> bodies_;  ///< in the order of Canonical::bodies
   std::map<std::pair<const PreparedShape*, bool>, Index> first_twin_;
   bool any_smooth_ = false;
   std::vector<VertexError> errors_;    ///< per body

@@ -5,12 +5,14 @@
 // A face *is* its projected outline with its stored plane's depth (rounded vertices are never quite
 // coplanar). Which faces share a plane is decided here, once, and nowhere later.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/geometry/polyhedron.h"
 #include "core/geometry/winged_edges.h"
 #include "core/scene/scene.h"
+#include "core/visibility/solid_expression.h"
 
 namespace overstrike {
 
@@ -57,6 +59,18 @@ struct CanonicalBody {
   Index source;  ///< index into Scene::bodies
 };
 
+/// What a body is an operand of; kNone: it stands for itself.
+struct Membership {
+  Index solid = kNone;  ///< in Canonical::solids
+  Index operand = 0;    ///< in its nodes
+};
+
+/// A Boolean solid. Bodies that are the same in the same place are one operand.
+struct CanonicalSolid {
+  std::vector<SolidNode> nodes;  ///< `body` is the operand
+  SolidExpression expression;    ///< the same
+};
+
 struct CanonicalPattern {
   std::vector<Vec3> points;
   Index body;
@@ -74,6 +88,8 @@ struct Canonical {
   std::vector<WingedEdge> edges;
   std::vector<Twin> twins;  ///< corners and faces counted from their body's first ones
   std::vector<CanonicalBody> bodies;
+  std::vector<Membership> memberships;  ///< per body; empty where there are no solids
+  std::vector<std::shared_ptr<const CanonicalSolid>> solids;
   std::vector<CanonicalPattern> patterns;
   std::vector<Segment> segments;
   std::optional<Vec3> light;  ///< unit vector towards the light
@@ -89,6 +105,9 @@ struct Canonical {
     const Twin t = twins[body.first_twin + (corner - body.first_corner)];
     return t.face == kNone ? t : Twin{t.corner + body.first_corner, t.face + body.first_face};
   }
+  Membership membership(Index body) const {
+    return memberships.empty() ? Membership{} : memberships[body];
+  }
   /// Outward unit normal of a face.
   Vec3 outward(const CanonicalFace& f) const {
     return f.flipped ? -planes[f.plane].normal : planes[f.plane].normal;
@@ -99,7 +118,7 @@ struct View;
 
 /// Tessellates to `chord_cells` grid units in the view, places, splits what is not planar, turns
 /// what is inside out, welds planes and builds winged edges. Everything that was flawed is named in
-/// `warnings` (with the body's place).
+/// `warnings` (with the body's place). Throws InputError where an operand of a solid is not closed.
 Canonical canonicalize(const Scene& scene, const View& view, double chord_cells,
                        std::vector<Diagnostic>& warnings);
 

@@ -133,11 +133,14 @@ class Clipper {
     out_.light = in_.light;
     out_.ground_z = in_.ground_z;
     out_.law = in_.law;
+    out_.solids = in_.solids;
     std::vector<Index> number(in_.bodies.size(), kNone);
     for (Index i = 0; i < in_.bodies.size(); ++i) {
       const std::size_t before = out_.bodies.size();
       add_body(in_.bodies[i]);
-      if (out_.bodies.size() > before) number[i] = static_cast<Index>(before);
+      if (out_.bodies.size() == before) continue;
+      number[i] = static_cast<Index>(before);
+      if (!in_.memberships.empty()) out_.memberships.push_back(in_.memberships[i]);
     }
     add_lines(number);
     return std::move(out_);

@@ -52,6 +52,7 @@ class Builder {
   }
   void find_outline(Index number) { outlines_.find(number); }
   void add_ground();
+  void add_solids();
 
  private:
   void project(Index number);
@@ -188,12 +189,13 @@ void Builder::look_at_faces(Index number) {
   front.triangles = all_triangles(body);
   DepthRange depths(table_.depths, reach_);
   const bool picture = table_.use == FrontUse::picture;
+  const bool operand = c_.membership(number).solid != kNone;
   bool from_front = false, from_behind = false, walk = true;
   for (Index i = body.first_face; i < body.end_face; ++i) {
     const CanonicalFace& f = c_.faces[i];
     const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
     const bool behind = side < 0;
-    if (side == 0 || (behind && body.closed && !f.cut)) continue;
+    if (side == 0 || (behind && body.closed && !f.cut && !operand)) continue;
     const Index first = front.triangles ? body.first_corner + 3 * (i - body.first_face)
                                         : c_.first_corner(f.first_loop);
     const Index count = front.triangles ? 3 : c_.loop_ends[f.end_loop - 1] - first;
@@ -214,7 +216,8 @@ void Builder::look_at_faces(Index number) {
   front.far_z = depths.low, front.near_z = depths.high;
   front.triangles = front.triangles && !front.far;
   front.simple = body.simple, front.on_planes = body.on_planes;
-  front.loose = front.seen && (!walk || (front.turned && picture) || (from_front && from_behind));
+  front.loose =
+      front.seen && (operand || !walk || (front.turned && picture) || (from_front && from_behind));
 }
 
 /// A body of one face, after all others; in the world it is all that lies below it.
@@ -238,6 +241,30 @@ void Builder::add_ground() {
   outlines_.find_ground(polygon);
 }
 
+/// Bounds of all their operands.
+void Builder::add_solids() {
+  for (Index s = 0; s < c_.solids.size(); ++s) {
+    FrontBody& solid = table_.bodies[table_.solid_body(s)] = {};
+    solid.low = Vec3(kInfinity), solid.high = Vec3(-kInfinity);
+    solid.near_z = -kInfinity, solid.far_z = kInfinity;
+    solid.loose = true;
+  }
+  for (Index b = 0; b < c_.memberships.size(); ++b) {
+    const FrontBody& front = table_.bodies[b];
+    if (c_.memberships[b].solid == kNone || !front.seen) continue;
+    FrontBody& solid = table_.bodies[table_.solid_body(c_.memberships[b].solid)];
+    table_.operands.push_back(b);
+    solid.seen = true;
+    solid.on_planes = solid.on_planes && front.on_planes;
+    solid.low = glm::min(solid.low, front.low), solid.high = glm::max(solid.high, front.high);
+    solid.near_z = std::max(solid.near_z, front.near_z);
+    solid.far_z = std::min(solid.far_z, front.far_z);
+  }
+  std::stable_sort(table_.operands.begin(), table_.operands.end(), [&](Index a, Index b) {
+    return c_.memberships[a].solid < c_.memberships[b].solid;
+  });
+}
+
 }  // namespace
 
 FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, FrontUse for_use,
@@ -250,7 +277,7 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
       points(canonical.vertices.size()),
       sides(canonical.faces.size() + 1),
       tones(use == FrontUse::picture ? canonical.faces.size() + 1 : 0),
-      bodies(canonical.bodies.size() + 1),
+      bodies(canonical.bodies.size() + 1 + canonical.solids.size()),
       further_planes(ground_planes(canonical, view)),
       depths(canonical.planes, further_planes, view) {
   // Room, not memory, until it is used.
@@ -270,13 +297,14 @@ FrontTable::FrontTable(const Canonical& canonical_input, const View& in_view, Fr
   for (Index b = 0; b < canonical.bodies.size(); ++b) {
     if (threads == 1) builder.look_at(b);
     builder.find_outline(b);
-    if (bodies[b].loose) loose.push_back(b);
+    if (bodies[b].loose && canonical.membership(b).solid == kNone) loose.push_back(b);
   }
   if (use == FrontUse::picture) {
     builder.add_ground();
   } else {
     bodies[ground_body()] = {};
   }
+  builder.add_solids();
 }
 
 }  // namespace overstrike

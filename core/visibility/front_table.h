@@ -188,8 +188,9 @@ struct FrontTable {
   std::vector<signed char> sides;  ///< per face: the side it is seen from, 1 its front, -1 its back
                                    ///< (of open bodies), 0 not at all
   UnsetVector<FaceTone> tones;     ///< of the faces that are seen, for a picture
-  UnsetVector<FrontBody> bodies;
-  std::vector<Index> loose;  ///< the bodies that are
+  UnsetVector<FrontBody> bodies;   ///< after the ground the solids; their operands are bodies too
+  std::vector<Index> loose;        ///< the bodies that are, but for operands
+  std::vector<Index> operands;     ///< the bodies that are operands and seen, by solid
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose
@@ -209,6 +210,8 @@ struct FrontTable {
   /// The ground is the face after the canonical ones, and the body after them.
   Index ground() const { return static_cast<Index>(canonical.faces.size()); }
   Index ground_body() const { return static_cast<Index>(canonical.bodies.size()); }
+  /// Solids are the bodies after that.
+  Index solid_body(Index solid) const { return ground_body() + 1 + solid; }
   Index plane_of(Index face) const {
     return face == ground() ? static_cast<Index>(canonical.planes.size())
                             : canonical.faces[face].plane;

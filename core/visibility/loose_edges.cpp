@@ -8,11 +8,15 @@ namespace {
 std::vector<LooseEdge> edges_of(const FrontTable& table) {
   std::vector<LooseEdge> edges;
   LooseEdge edge;
-  for (const Index b : table.loose) {
+  const auto add = [&](Index b, Index as) {
     const CanonicalBody& body = table.canonical.bodies[b];
     for (Index e = body.first_edge; e < body.end_edge; ++e)
-      if (to_loose_edge(table, table.canonical.edges[e], b, edge)) edges.push_back(edge);
-  }
+      if (to_loose_edge(table, table.canonical.edges[e], b, edge))
+        edges.push_back(edge), edges.back().body = as;
+  };
+  for (const Index b : table.loose) add(b, b);
+  for (const Index b : table.operands)
+    add(b, table.solid_body(table.canonical.memberships[b].solid));
   return edges;
 }
 
@@ -36,31 +40,49 @@ LooseEdges::LooseEdges(const FrontTable& table)
 
 void LooseResolver::add(const LooseEdge& edge, double y) {
   if (!(edge.line.y0 <= y && y < edge.line.y1)) return;
-  const float slack = static_cast<float>(table_.bodies[edge.body].line_error.of(edge.line));
+  const Index body = table_.canonical.faces[edge.faces[0]].body;
+  const float slack = static_cast<float>(table_.bodies[body].line_error.of(edge.line));
   passing_.push_back({edge.line.x_at(y), slack, edge.faces});
 }
 
-void LooseResolver::resolve(double y, std::vector<RowSide>& sides) {
-  if (passing_.empty()) return;
-  std::sort(passing_.begin(), passing_.end(), [](const Passing& a, const Passing& b) {
-    return a.x != b.x ? a.x < b.x : a.faces < b.faces;
-  });
-  pieces_.clear();
+template <class Pass, class Span>
+void LooseResolver::sweep(const Pass& pass, const Span& span) {
   double x = passing_.front().x, slack = passing_.front().slack;
   for (const Passing& p : passing_) {
     // A span no wider than its ends are uncertain is of rounding's making, and may lie on the wrong
     // side of an edge in which two faces touch: nothing is asked there, and its neighbour takes it.
     if (p.x - x > slack + p.slack) {
-      span(x, p.x, y, slack, p.slack);
+      span(x, p.x, slack, p.slack);
       // An edge passed before may truly lie right of this one.
       slack = std::max<double>(p.slack, slack - (p.x - x));
       x = p.x;
     } else {
       slack = std::max<double>(slack, p.slack);
     }
-    active_.pass(p.faces);
+    pass(p.faces);
   }
-  active_.clear();
+}
+
+void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
+  if (passing_.empty()) return;
+  std::sort(passing_.begin(), passing_.end(), [](const Passing& a, const Passing& b) {
+    return a.x != b.x ? a.x < b.x : a.faces < b.faces;
+  });
+  pieces_.clear();
+  if (body > table_.ground_body()) {
+    solid_.begin(table_.canonical.solids[body - table_.solid_body(0)]->expression, y);
+    sweep([&](const auto& faces) { solid_.pass(faces); },
+          [&](double x0, double x1, double slack0, double slack1) {
+            solid_.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
+                        pieces_);
+          });
+  } else {
+    sweep([&](const auto& faces) { active_.pass(faces); },
+          [&](double x0, double x1, double slack0, double slack1) {
+            span(x0, x1, y, slack0, slack1);
+          });
+    active_.clear();
+  }
   passing_.clear();
   append(sides);
 }

@@ -7,6 +7,7 @@
 #include "core/visibility/active_list.h"
 #include "core/visibility/face_order.h"
 #include "core/visibility/level_bands.h"
+#include "core/visibility/solid_sweep.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
@@ -14,10 +15,10 @@ namespace overstrike {
 struct LooseEdge {
   LevelLine line;
   std::array<Index, 2> faces;  ///< seen ones; the second may be kNone
-  Index body;
+  Index body;                  ///< of an operand: its solid's (FrontTable::solid_body)
 };
 
-/// The edges of all loose bodies, by body.
+/// The edges of all loose bodies and of all solids, by body.
 class LooseEdges {
  public:
   explicit LooseEdges(const FrontTable& table);
@@ -46,17 +47,17 @@ struct RowSide {
   float slack;  ///< bound on the error of x
 };
 
-/// Resolves a body alone. One a thread.
+/// Resolves a body or a solid alone. One a thread.
 class LooseResolver {
  public:
   LooseResolver(const FrontTable& table, const FaceOrder& order)
-      : table_(table), order_(order), active_(order) {}
+      : table_(table), order_(order), active_(order), solid_(table, order) {}
 
   /// Adds an edge of the body in hand that meets the level.
   void add(const LooseEdge& edge, double y);
   /// Appends what is seen of the body whose edges were added, as sides from left to right; a side
   /// of no face ends each connected stretch. Forgets the edges.
-  void resolve(double y, std::vector<RowSide>& sides);
+  void resolve(Index body, double y, std::vector<RowSide>& sides);
 
  private:
   struct Passing {
@@ -64,12 +65,15 @@ class LooseResolver {
     float slack;
     std::array<Index, 2> faces;
   };
+  template <class Pass, class Span>
+  void sweep(const Pass& pass, const Span& span);
   void span(double x0, double x1, double y, double slack0, double slack1);
   void append(std::vector<RowSide>& sides) const;
 
   const FrontTable& table_;
   const FaceOrder& order_;
   ActiveList<FaceOrder> active_;
+  SolidSweep solid_;
   std::vector<Passing> passing_;
   std::vector<SpanPiece> pieces_;
 };

@@ -106,7 +106,7 @@ void RowPlanner::collect(double y) {
     for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
       if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
     const std::size_t first = sides_->size();
-    loose_->resolve(y, *sides_);
+    loose_->resolve(body, y, *sides_);
     add_stretches(body, first);
     plan_->until = plan_->from;
   }
@@ -165,7 +165,7 @@ void RowPlanner::collect_loose(Index number, double y) {
     if (to_loose_edge(table_.fronts, table_.fronts.canonical.edges[e], number, edge))
       loose_->add(edge, y);
   const std::size_t first = sides_->size();
-  loose_->resolve(y, *sides_);
+  loose_->resolve(number, y, *sides_);
   add_stretches(number, first);
   plan_->until = plan_->from;
 }

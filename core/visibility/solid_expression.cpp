@@ -19,8 +19,7 @@ bool needs_all(SetOperation operation, bool complement) {
 
 }  // namespace
 
-SolidExpression::SolidExpression(std::span<const SolidNode> nodes,
-                                 std::span<const Index> operand_of, Index operands) {
+SolidExpression::SolidExpression(std::span<const SolidNode> nodes, Index operands) {
   struct Found {
     Index operand;
     Leaf leaf;
@@ -34,14 +33,13 @@ SolidExpression::SolidExpression(std::span<const SolidNode> nodes,
     all.push_back(of_all), members.push_back(0);
     return static_cast<Index>(terms_.size() - 1);
   };
-  Index leaves = 0;
   std::vector<Open> open;
   /// `into`: the term that the node is a member of, of which all are needed or one.
   const auto enter = [&](Index node, Index into, bool complement) {
     const SetOperation operation = nodes[node].operation;
     if (operation == SetOperation::operand) {
       ++members[into];
-      found.push_back({operand_of[leaves++], {into, complement}});
+      found.push_back({nodes[node].body, {into, complement}});
       return;
     }
     if (nodes[node].end == node + 1) {

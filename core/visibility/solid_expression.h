@@ -20,11 +20,9 @@ class SolidExpression {
  public:
   static constexpr Index kNoTerm = 0xFFFFFFFFu;
 
-  /// `operand_of[i]`: the number of the operand that the i-th leaf of `nodes` (in their order) is;
-  /// leaves of one number are the same set. Numbers run from 0 to `operands` - 1. A node without
-  /// operands is empty.
-  SolidExpression(std::span<const SolidNode> nodes, std::span<const Index> operand_of,
-                  Index operands);
+  /// The `body` of a leaf is the number of its operand, 0 to `operands` - 1; leaves of one number
+  /// are the same set. A node without operands is empty.
+  SolidExpression(std::span<const SolidNode> nodes, Index operands);
 
   Index operands() const { return static_cast<Index>(first_leaf_.size() - 1); }
   Index terms() const { return static_cast<Index>(terms_.size()); }

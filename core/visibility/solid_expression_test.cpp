@@ -25,14 +25,6 @@ Nodes node(SetOperation operation, const std::vector<Nodes>& operands) {
   return nodes;
 }
 
-/// Operands by the numbers that the leaves have.
-SolidExpression expression_of(const Nodes& nodes, Index operands) {
-  std::vector<Index> operand_of;
-  for (const SolidNode& n : nodes)
-    if (n.operation == SetOperation::operand) operand_of.push_back(n.body);
-  return {nodes, operand_of, operands};
-}
-
 /// The definition.
 bool holds(const Nodes& nodes, Index at, const std::vector<bool>& in) {
   const SolidNode& n = nodes[at];
@@ -64,7 +56,7 @@ TEST(SolidExpression, IsWhatItsTreeSaysWhereverOnTheWay) {
   int inside = 0;
   for (int n = 0; n < 500; ++n) {
     const Nodes tree = random_tree(random, 5, kOperands);
-    const SolidExpression expression = expression_of(tree, kOperands);
+    const SolidExpression expression(tree, kOperands);
     SolidExpression::State state(expression);
     std::vector<bool> in(kOperands, false);
     EXPECT_FALSE(state.inside());
@@ -84,10 +76,10 @@ TEST(SolidExpression, NestedUnionsAndDifferencesAreOneTerm) {
   Nodes chain = leaf(0);
   for (Index i = 1; i < kOperands; ++i)
     chain = node(i % 2 != 0 ? SetOperation::subtract : SetOperation::intersect, {chain, leaf(i)});
-  EXPECT_EQ(expression_of(chain, kOperands).terms(), 1u);
+  EXPECT_EQ(SolidExpression(chain, kOperands).terms(), 1u);
   Nodes tools = leaf(1);
   for (Index i = 2; i < kOperands; ++i) tools = node(SetOperation::unite, {leaf(i), tools});
-  EXPECT_EQ(expression_of(node(SetOperation::subtract, {leaf(0), tools}), kOperands).terms(), 1u);
+  EXPECT_EQ(SolidExpression(node(SetOperation::subtract, {leaf(0), tools}), kOperands).terms(), 1u);
 }
 
 /// A0 - (A1 - (A2 - ...)), preorder by hand: composing would take the square of the depth.
@@ -99,7 +91,7 @@ TEST(SolidExpression, GoesAsDeepAsMemoryDoes) {
     nodes.push_back({SetOperation::operand, i, static_cast<Index>(nodes.size() + 1)});
   }
   nodes.push_back({SetOperation::operand, kDepth - 1, 2 * kDepth - 1});
-  const SolidExpression expression = expression_of(nodes, kDepth);
+  const SolidExpression expression(nodes, kDepth);
   SolidExpression::State state(expression);
   state.flip(kDepth - 1);
   EXPECT_FALSE(state.inside());
@@ -112,7 +104,7 @@ TEST(SolidExpression, GoesAsDeepAsMemoryDoes) {
 
 TEST(SolidExpression, LeavesOfOneOperandAreOneSet) {
   const Nodes nothing = node(SetOperation::subtract, {leaf(0), leaf(0)});
-  const SolidExpression expression = expression_of(nothing, 1);
+  const SolidExpression expression(nothing, 1);
   SolidExpression::State state(expression);
   state.flip(0);
   EXPECT_FALSE(state.inside());
@@ -122,7 +114,7 @@ TEST(SolidExpression, NodesWithoutOperandsAreEmpty) {
   const Nodes empty = node(SetOperation::intersect, {});
   for (const SetOperation operation :
        {SetOperation::unite, SetOperation::subtract, SetOperation::intersect}) {
-    const SolidExpression expression = expression_of(node(operation, {leaf(0), empty}), 1);
+    const SolidExpression expression(node(operation, {leaf(0), empty}), 1);
     SolidExpression::State state(expression);
     state.flip(0);
     EXPECT_EQ(state.inside(), operation != SetOperation::intersect);

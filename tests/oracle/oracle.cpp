@@ -1,6 +1,7 @@
 #include "tests/oracle/oracle.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -190,7 +191,9 @@ struct Oracle::Impl {
       const Face& face = faces[i];
       const CanonicalFace& f = in.faces[i];
       const bool closed = in.bodies[f.body].closed;
-      if (face.eye_side == 0 || (face.eye_side < 0 && closed && !view.near_plane)) continue;
+      const bool operand = in.membership(f.body).solid != kNone;
+      if (face.eye_side == 0) continue;
+      if (face.eye_side < 0 && closed && !view.near_plane && !operand) continue;
       if (!face.eye_box.may_hold(Approx(x), Approx(y)) || !covers(f, sight)) continue;
       Hit h = hit(sight, in.planes[f.plane]);
       if (is_there(h, closed && face.eye_side < 0)) met.push_back({i, std::move(h)});
@@ -224,6 +227,7 @@ struct Oracle::Impl {
   }
 
   bool visible(const Meeting& m) const {
+    if (in.membership(in.faces[m.face].body).solid != kNone) return false;
     return faces[m.face].eye_side > 0 || !in.bodies[in.faces[m.face].body].closed;
   }
 
@@ -231,7 +235,11 @@ struct Oracle::Impl {
     const Sight sight = eye_sight(view, x, y);
     std::vector<Meeting> met = meetings(sight, x, y);
     if (const auto cut = cut_face(met)) return *cut;
-    std::erase_if(met, [&](const Meeting& m) { return !visible(m); });
+    const std::vector<Index> of_solids = seen_of_solids(met);
+    std::erase_if(met, [&](const Meeting& m) {
+      return !visible(m) &&
+             std::find(of_solids.begin(), of_solids.end(), m.face) == of_solids.end();
+    });
     std::vector<const Meeting*> nearest;
     for (const Meeting& m : met) {
       const int order = nearest.empty() ? 1 : compare(m, *nearest.front());
@@ -243,6 +251,83 @@ struct Oracle::Impl {
     if (!is_there(h)) return first_of(nearest);
     const int order = nearest.empty() ? 1 : compare_depth(h, nearest.front()->at);
     return order > 0 ? ground_at(h) : first_of(nearest);
+  }
+
+  /// The faces that the solids show.
+  std::vector<Index> seen_of_solids(const std::vector<Meeting>& met) const {
+    std::vector<Index> seen;
+    for (Index s = 0; s < in.solids.size(); ++s) {
+      std::vector<const Meeting*> of_solid;
+      for (const Meeting& m : met)
+        if (in.membership(in.faces[m.face].body).solid == s) of_solid.push_back(&m);
+      std::sort(of_solid.begin(), of_solid.end(),
+                [&](const Meeting* a, const Meeting* b) { return compare(*a, *b) > 0; });
+      if (const Index face = seen_of_solid(*in.solids[s], of_solid); face != kNone)
+        seen.push_back(face);
+    }
+    return seen;
+  }
+
+  Index seen_of_solid(const CanonicalSolid& solid, const std::vector<const Meeting*>& met) const {
+    std::map<Index, int> winding;
+    const auto is_in = [&](Index operand) { return winding[operand] != 0; };
+    for (std::size_t first = 0, end = 0; first < met.size(); first = end) {
+      std::map<Index, bool> before;
+      for (end = first; end < met.size() && compare(*met[first], *met[end]) == 0; ++end) {
+        const Index operand = in.membership(in.faces[met[end]->face].body).operand;
+        before.try_emplace(operand, is_in(operand));
+        winding[operand] += faces[met[end]->face].eye_side;
+      }
+      if (!holds(solid.nodes, 0, is_in)) continue;
+      std::vector<Index> changed;
+      for (const auto& [operand, was_in] : before)
+        if (was_in != is_in(operand)) changed.push_back(operand);
+      Index best = kNone;
+      for (std::size_t i = first; i < end; ++i) {
+        const Index face = met[i]->face;
+        const Index operand = in.membership(in.faces[face].body).operand;
+        const bool turns_it = is_in(operand) == (faces[face].eye_side > 0) &&
+                              std::find(changed.begin(), changed.end(), operand) != changed.end();
+        if (turns_it && (best == kNone || precedes(face, best)) &&
+            matters(solid.nodes, operand, changed, is_in))
+          best = face;
+      }
+      return best;
+    }
+    return kNone;
+  }
+
+  /// By trying all of the other changes.
+  template <class IsIn>
+  bool matters(const std::vector<SolidNode>& nodes, Index operand,
+               const std::vector<Index>& changed, const IsIn& is_in) const {
+    for (std::size_t made = 0; made < std::size_t{1} << changed.size(); ++made) {
+      const auto with = [&](bool own) {
+        return holds(nodes, 0, [&](Index other) {
+          for (std::size_t i = 0; i < changed.size(); ++i)
+            if (changed[i] == other)
+              return (other == operand ? own : (made >> i & 1) != 0) == is_in(other);
+          return is_in(other);
+        });
+      };
+      if (!with(false) && with(true)) return true;
+    }
+    return false;
+  }
+
+  template <class IsIn>
+  bool holds(const std::vector<SolidNode>& nodes, Index at, const IsIn& is_in) const {
+    const SolidNode& node = nodes[at];
+    if (node.operation == SetOperation::operand) return is_in(node.body);
+    bool result = false;
+    for (Index i = at + 1; i < node.end; i = nodes[i].end) {
+      const bool value = holds(nodes, i, is_in);
+      if (i == at + 1) result = value;
+      if (node.operation == SetOperation::unite) result = result || value;
+      if (node.operation == SetOperation::intersect) result = result && value;
+      if (node.operation == SetOperation::subtract && i != at + 1) result = result && !value;
+    }
+    return result;
   }
 
   int compare(const Meeting& a, const Meeting& b) const {
