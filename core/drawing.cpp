@@ -164,6 +164,7 @@ class AveragedRows : public RowResolver {
 struct Drawing::Impl {
   Impl(const Scene& scene, const Grid& asked_grid, const DrawOptions& draw_options)
       : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
+    check_solids(scene);
     Stopwatch eye_watch;
     whole =
         std::make_shared<const Canonical>(canonicalize(scene, view, options.tolerance, warnings));
@@ -178,6 +179,19 @@ struct Drawing::Impl {
        const DrawOptions& draw_options)
       : options(draw_options), grid(in_view.grid), view(in_view), whole(std::move(canonical)) {
     clip_near();
+  }
+
+  /// What cannot be drawn of solids.
+  void check_solids(const Scene& scene) {
+    if (scene.solids.empty()) return;
+    place_of_solid = scene.solids.front().place;
+    const Place& place = place_of_solid;
+    if (options.method == Method::nn74)
+      throw InputError(place, "method nn74 draws no unions, differences and intersections",
+                       "method line draws them");
+    if (scene.light)
+      throw InputError(place, "unions, differences and intersections have no shadows so far",
+                       "draw them without light: light: none");
   }
 
   void clip_near() {
@@ -253,6 +267,7 @@ struct Drawing::Impl {
   std::shared_ptr<const Canonical> whole;
   Canonical cut;
   bool clipped = false;
+  Place place_of_solid;  ///< of the first, for what cannot be drawn of solids
   // Of the line resolver, each made when it is first wanted.
   std::unique_ptr<ShadowCaster> caster_;
   std::optional<std::vector<Shadow>> shadows_;
@@ -270,7 +285,12 @@ struct Drawing::Impl {
 };
 
 void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
-  if (!painted) table();
+  // A solid is resolved along lines.
+  const bool by_lines = painted != nullptr || !seen().solids.empty();
+  if (!by_lines) table();
+  const RunSource* const source = painted    ? painted.get()
+                                  : by_lines ? static_cast<const RunSource*>(&lines())
+                                             : nullptr;
   Stopwatch watch;
   double output_ms = 0;
   const std::size_t columns = static_cast<std::size_t>(std::ceil(grid.columns));
@@ -279,16 +299,16 @@ void Drawing::Impl::cells(const std::function<void(const CellRow&)>& sink) {
   const std::size_t at_once =
       std::clamp<std::size_t>(kMostCells / std::max<std::size_t>(columns, 1), 1, kMostRows);
   std::optional<Bands> bands;
-  if (!painted) bands.emplace(*table_, static_cast<double>(at_once));
+  if (!by_lines) bands.emplace(*table_, static_cast<double>(at_once));
   std::mutex crowded;
   const auto lines_for_crowds = [&] {
     const std::lock_guard lock(crowded);
     return lines().scanner();
   };
   Pool<RowResolver> resolvers([&]() -> std::unique_ptr<RowResolver> {
-    if (!painted)
+    if (!by_lines)
       return std::make_unique<ScannedRows>(*table_, *bands, options.tolerance, lines_for_crowds);
-    return std::make_unique<AveragedRows>(*painted, grid.columns, options.tolerance);
+    return std::make_unique<AveragedRows>(*source, grid.columns, options.tolerance);
   });
   std::vector<std::vector<float>> slots(slots_for(options.threads));
   const std::size_t count = (rows + at_once - 1) / at_once;
@@ -412,6 +432,10 @@ void Drawing::runs(const ScanFamily& family, const std::function<void(const RunR
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
   const FloatEnvironment ours;
   Impl& impl = *impl_;
+  if (!impl.seen().solids.empty())
+    throw InputError(impl.place_of_solid,
+                     "unions, differences and intersections have no strokes so far",
+                     "draw them on a device of runs or cells: a page, a picture");
   const std::vector<Shadow>& shadows = impl.shadows();
   Stopwatch watch;
   std::vector<Stroke> strokes =

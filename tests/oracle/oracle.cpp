@@ -208,10 +208,26 @@ struct Oracle::Impl {
     std::vector<int> winding(in.bodies.size(), 0);
     for (const Meeting& m : met) winding[in.faces[m.face].body] -= faces[m.face].eye_side;
     std::optional<Seen> best;
-    for (Index b = 0; b < in.bodies.size(); ++b) {
-      if (!in.bodies[b].closed || winding[b] == 0) continue;
+    const auto consider = [&](Index b) {
       const double d = clamped(in.law.cut_factor * in.law.hmax * in.bodies[b].density_factor);
       if (!best || d > best->density) best = Seen{kNone, b, Kind::cut, d};
+    };
+    for (Index s = 0; s < in.solids.size(); ++s) {
+      const auto is_in = [&](Index operand) {
+        const Index b = body_of(s, operand);
+        return b != kNone && winding[b] != 0;
+      };
+      if (!holds(in.solids[s]->nodes, 0, is_in)) continue;
+      std::vector<Index> changed;
+      for (Index b = 0; b < in.bodies.size(); ++b)
+        if (in.membership(b).solid == s && winding[b] != 0)
+          changed.push_back(in.membership(b).operand);
+      for (const Index operand : changed)
+        if (matters(in.solids[s]->nodes, operand, changed, is_in)) consider(body_of(s, operand));
+    }
+    for (Index b = 0; b < in.bodies.size(); ++b) {
+      if (!in.bodies[b].closed || winding[b] == 0 || in.membership(b).solid != kNone) continue;
+      consider(b);
     }
     return best;
   }
@@ -269,7 +285,10 @@ struct Oracle::Impl {
   }
 
   Index seen_of_solid(const CanonicalSolid& solid, const std::vector<const Meeting*>& met) const {
+    // At the near plane, or before everything.
     std::map<Index, int> winding;
+    for (const Meeting* m : met)
+      winding[in.membership(in.faces[m->face].body).operand] -= faces[m->face].eye_side;
     const auto is_in = [&](Index operand) { return winding[operand] != 0; };
     for (std::size_t first = 0, end = 0; first < met.size(); first = end) {
       std::map<Index, bool> before;
@@ -294,6 +313,12 @@ struct Oracle::Impl {
       }
       return best;
     }
+    return kNone;
+  }
+
+  Index body_of(Index solid, Index operand) const {
+    for (Index b = 0; b < in.bodies.size(); ++b)
+      if (in.membership(b).solid == solid && in.membership(b).operand == operand) return b;
     return kNone;
   }
 

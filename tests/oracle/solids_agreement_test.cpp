@@ -26,10 +26,19 @@ class TreeMaker {
     scene.camera.parallel = below(2) == 0;
     scene.camera.from = {static_cast<double>(below(72)) * 5 + 1,
                          static_cast<double>(below(17)) * 10 - 80};
+    if (below(3) == 0) look_from_within(scene.camera);
     return scene;
   }
 
  private:
+  /// Near clipping, often within the solid.
+  void look_from_within(Camera& camera) {
+    camera.eye = Vec3(lattice() + 0.5, lattice() + 0.3, lattice() + 0.7);
+    camera.target = Vec3(2.1, 2.3, 1.9);
+    camera.fov_deg = 60;
+    camera.near_distance = 0.25;
+    camera.parallel = false;
+  }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_.next() % n); }
   double lattice() { return static_cast<double>(below(4)); }
 

@@ -21,6 +21,12 @@ Cost operator*(const Cost& a, std::uint64_t times) {
   return {std::min(kUncountable, a.parts * times), std::min(kUncountable, a.points * times)};
 }
 
+/// Of a group or a solid; null of others.
+const std::vector<Part>* members_of(const Part& part) {
+  if (const auto* solid = std::get_if<Combination>(&part.content)) return &solid->members;
+  return std::get_if<std::vector<Part>>(&part.content);
+}
+
 /// Follows uses, to find circles and to count what the scene becomes before anything is made.
 class Census {
  public:
@@ -29,8 +35,8 @@ class Census {
 
   Cost count(const Part& part, int depth) {
     Cost cost;
-    if (const auto* group = std::get_if<std::vector<Part>>(&part.content)) {
-      for (const Part& member : *group) cost = cost + count(member, depth + 1);
+    if (const std::vector<Part>* const members = members_of(part)) {
+      for (const Part& member : *members) cost = cost + count(member, depth + 1);
     } else if (const auto* use = std::get_if<Use>(&part.content)) {
       cost = count(*use, depth + 1);
     }
@@ -125,6 +131,9 @@ class Expander {
   void add(const Part& part, const Inherited& above) {
     std::uint64_t copies = 1;
     for (const Array& array : part.arrays) copies *= static_cast<std::uint64_t>(array.count);
+    // In a solid's tree copies are one operand.
+    const bool united = solid_ != nullptr && copies != 1;
+    const std::size_t node = united ? begin(SetOperation::unite) : 0;
     for (std::uint64_t copy = 0; copy < copies; ++copy) {
       Affine place = part.placement;
       std::uint64_t rest = copy;  // mixed radix: the first array's copies come first
@@ -135,9 +144,10 @@ class Expander {
       }
       add_copy(part, handed_down(part, place, above));
     }
+    if (united) end(node);
   }
 
-  std::vector<Body> bodies;
+  Expanded result;
 
  private:
   static Inherited handed_down(const Part& part, const Affine& place, const Inherited& above) {
@@ -149,13 +159,38 @@ class Expander {
   }
 
   void add_copy(const Part& part, const Inherited& mine) {
-    if (const auto* group = std::get_if<std::vector<Part>>(&part.content)) {
+    if (const auto* combination = std::get_if<Combination>(&part.content)) {
+      combine(part, *combination, mine);
+    } else if (const auto* group = std::get_if<std::vector<Part>>(&part.content)) {
+      const std::size_t node = solid_ != nullptr ? begin(SetOperation::unite) : 0;
       for (const Part& member : *group) add(member, mine);
+      if (solid_ != nullptr) end(node);
     } else if (const auto* use = std::get_if<Use>(&part.content)) {
       add(definitions_.find(use->name)->second.part, mine);
     } else {
       add_body(part, std::get<ShapePtr>(part.content), mine);
     }
+  }
+
+  /// A tree of its own, or a node of the one that it stands in.
+  void combine(const Part& part, const Combination& combination, const Inherited& mine) {
+    Solid solid{{}, std::string(mine.name), reporter_.place(part.mark)};
+    const bool is_root = solid_ == nullptr;
+    if (is_root) solid_ = &solid;
+    const std::size_t node = begin(combination.operation);
+    for (const Part& member : combination.members) add(member, mine);
+    end(node);
+    if (!is_root) return;
+    solid_ = nullptr;
+    result.solids.push_back(std::move(solid));
+  }
+
+  std::size_t begin(SetOperation operation) {
+    solid_->nodes.push_back({operation, 0, 0});
+    return solid_->nodes.size() - 1;
+  }
+  void end(std::size_t node) {
+    solid_->nodes[node].end = static_cast<std::uint32_t>(solid_->nodes.size());
   }
 
   void add_body(const Part& part, const ShapePtr& shape, const Inherited& mine) {
@@ -164,7 +199,12 @@ class Expander {
                       "the transforms of this body together grow beyond 1e30 or shrink to nothing");
       return;
     }
-    Body& body = bodies.emplace_back();
+    if (solid_ != nullptr) {
+      const std::size_t node = begin(SetOperation::operand);
+      solid_->nodes[node].body = static_cast<std::uint32_t>(result.bodies.size());
+      end(node);
+    }
+    Body& body = result.bodies.emplace_back();
     body.shape = shape;
     body.placement = mine.placement;
     body.name = mine.name;
@@ -185,6 +225,7 @@ class Expander {
 
   Reporter& reporter_;
   const Definitions& definitions_;
+  Solid* solid_ = nullptr;  ///< whose tree is being made
 };
 
 bool few_enough(Reporter& reporter, const Part& part, const Cost& cost) {
@@ -199,8 +240,8 @@ bool few_enough(Reporter& reporter, const Part& part, const Cost& cost) {
 
 }  // namespace
 
-std::vector<Body> expand(Reporter& reporter, const std::vector<Part>& parts,
-                         const Definitions& definitions) {
+Expanded expand(Reporter& reporter, const std::vector<Part>& parts,
+                const Definitions& definitions) {
   Census census(reporter, definitions);
   const std::size_t errors_before = reporter.errors();
   for (const auto& [name, definition] : definitions) {
@@ -216,7 +257,7 @@ std::vector<Body> expand(Reporter& reporter, const std::vector<Part>& parts,
   if (reporter.errors() > 0) return {};
   Expander expander(reporter, definitions);
   for (const Part& part : parts) expander.add(part, {});
-  return reporter.errors() == errors_before ? std::move(expander.bodies) : std::vector<Body>{};
+  return reporter.errors() == errors_before ? std::move(expander.result) : Expanded{};
 }
 
 }  // namespace overstrike::yaml

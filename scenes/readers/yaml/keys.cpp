@@ -18,13 +18,13 @@ constexpr S kCamera[] = {"look-at", "distance",   "azimuth", "elevation", "eye",
                          "up",      "projection", "window",  "fov",       "near"};
 constexpr S kDensity[] = {"k", "hmax", "ground-shadow", "cut"};
 // what it is first, then how it looks, then where it stands
-constexpr S kBody[] = {"box",     "prism",     "cylinder",    "pyramid",   "cone",
-                       "frustum", "wedge",     "tetrahedron", "sphere",    "ellipsoid",
-                       "torus",   "extrusion", "revolution",  "sweep",     "polyhedron",
-                       "polygon", "mesh",      "group",       "use",       "name",
-                       "density", "shading",   "pen",         "patterns",  "scale",
-                       "mirror",  "rotate",    "at",          "transform", "array"};
-constexpr std::size_t kContents = 19;
+constexpr S kBody[] = {
+    "box",         "prism",   "cylinder",  "pyramid",   "cone",       "frustum",      "wedge",
+    "tetrahedron", "sphere",  "ellipsoid", "torus",     "extrusion",  "revolution",   "sweep",
+    "polyhedron",  "polygon", "mesh",      "union",     "difference", "intersection", "group",
+    "use",         "name",    "density",   "shading",   "pen",        "patterns",     "scale",
+    "mirror",      "rotate",  "at",        "transform", "array"};
+constexpr std::size_t kContents = 22;
 static_assert(kBody[kContents - 1] == "use");
 constexpr S kPattern[] = {"points", "closed", "pen"};
 constexpr S kSegment[] = {"from", "to", "points", "closed", "pen"};
@@ -52,17 +52,39 @@ constexpr S kPolygon[] = {"outline", "holes"};
 constexpr S kMesh[] = {"file"};
 
 // What other programs call it, and ours.
-constexpr std::pair<S, S> kOtherWords[] = {
-    {"<<", "use"},           {"centre", "center"},   {"children", "group"},
-    {"color", "density"},    {"colour", "density"},  {"copies", "array"},
-    {"cube", "box"},         {"cuboid", "box"},      {"definitions", "define"},
-    {"donut", "torus"},      {"h", "height"},        {"instance", "use"},
-    {"move", "at"},          {"n", "sides"},         {"objects", "bodies"},
-    {"points", "outline"},   {"polyline", "points"}, {"pos", "at"},
-    {"position", "at"},      {"r", "radius"},        {"repeat", "array"},
-    {"ring", "torus"},       {"shapes", "bodies"},   {"to", "target"},
-    {"translate", "at"},     {"tube", "minor"},      {"turn", "rotate"},
-    {"vertices", "outline"}, {"width", "window"}};
+constexpr std::pair<S, S> kOtherWords[] = {{"<<", "use"},
+                                           {"centre", "center"},
+                                           {"children", "group"},
+                                           {"color", "density"},
+                                           {"colour", "density"},
+                                           {"copies", "array"},
+                                           {"cube", "box"},
+                                           {"cuboid", "box"},
+                                           {"definitions", "define"},
+                                           {"donut", "torus"},
+                                           {"h", "height"},
+                                           {"instance", "use"},
+                                           {"move", "at"},
+                                           {"n", "sides"},
+                                           {"objects", "bodies"},
+                                           {"points", "outline"},
+                                           {"polyline", "points"},
+                                           {"pos", "at"},
+                                           {"position", "at"},
+                                           {"r", "radius"},
+                                           {"repeat", "array"},
+                                           {"minus", "difference"},
+                                           {"subtract", "difference"},
+                                           {"intersect", "intersection"},
+                                           {"unite", "union"},
+                                           {"ring", "torus"},
+                                           {"shapes", "bodies"},
+                                           {"to", "target"},
+                                           {"translate", "at"},
+                                           {"tube", "minor"},
+                                           {"turn", "rotate"},
+                                           {"vertices", "outline"},
+                                           {"width", "window"}};
 
 }  // namespace
 

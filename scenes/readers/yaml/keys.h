@@ -25,7 +25,8 @@ extern const MapKind kBoxMap, kPrismMap, kCylinderMap, kPyramidMap, kConeMap, kF
 /// All of the above.
 std::span<const MapKind* const> all_maps();
 
-/// The keys of a body that say what it is: the shapes, `group` and `use`.
+/// The keys of a body that say what it is: the shapes, the set operations, `group` and
+/// `use`.
 Keys content_keys();
 
 /// "did you mean 'radius'?" for an unknown key: by spelling, or a word of other programs for the

@@ -1,12 +1,17 @@
 #include "scenes/readers/yaml/parts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace overstrike::yaml {
 namespace {
 
 constexpr int kMostPens = 99;
 constexpr std::string_view kShadings[] = {"flat", "smooth"};
+constexpr std::pair<std::string_view, SetOperation> kOperations[] = {
+    {"union", SetOperation::unite},
+    {"difference", SetOperation::subtract},
+    {"intersection", SetOperation::intersect}};
 
 /// The one key that says what the body is, or empty after an error.
 std::string_view content_key(const Fields& f, const Node& node) {
@@ -25,13 +30,19 @@ std::string_view content_key(const Fields& f, const Node& node) {
   const Keys contents = content_keys();
   if (first.empty() && node.kind == NodeKind::map &&
       std::none_of(contents.begin(), contents.end(), [&](auto key) { return f.suggested(key); }))
-    f.reporter().error(node.mark, "a body must say what it is",
-                       "box, cylinder, sphere, ... or group or use");
+    f.reporter().error(
+        node.mark, "a body must say what it is",
+        "box, cylinder, sphere, ... or union, difference, intersection, group or use");
   return first;
 }
 
 void read_content(Part& part, const Fields& f, std::string_view key, MeshFiles& meshes) {
   const Node& value = *f.find(key);
+  for (const auto& [name, operation] : kOperations)
+    if (key == name) {
+      part.content = Combination{operation, read_parts(f.reporter(), value, key, meshes)};
+      return;
+    }
   if (key == "group") {
     part.content = read_parts(f.reporter(), value, "group", meshes);
   } else if (key == "use") {

@@ -19,6 +19,12 @@ struct Use {
   TextMark mark;
 };
 
+/// A Boolean solid of its members: `difference` takes all others from the first.
+struct Combination {
+  SetOperation operation;
+  std::vector<Part> members;
+};
+
 /// How much a part becomes, copies counted; each number stops at kUncountable.
 struct Cost {
   std::uint64_t parts = 0;   ///< bodies and groups
@@ -28,7 +34,7 @@ constexpr std::uint64_t kUncountable = std::uint64_t{1} << 32;
 
 /// One entry of a list of bodies.
 struct Part {
-  std::variant<ShapePtr, std::vector<Part>, Use> content;
+  std::variant<ShapePtr, std::vector<Part>, Combination, Use> content;
   std::string name;
   double density = 1;
   std::optional<Shading> shading;
@@ -52,9 +58,15 @@ Definitions read_definitions(Reporter&, const Node&, MeshFiles&);
 /// A polyline of `pattern` or `segment`: points, closed, pen.
 Pattern read_polyline(const Fields&);
 
-/// Makes bodies of parts: uses become what they name, arrays become copies, groups dissolve.
-/// Unknown names, definitions in a circle and too many copies are reported, and then there are
-/// none.
-std::vector<Body> expand(Reporter&, const std::vector<Part>&, const Definitions&);
+/// What is drawn: bodies, and the solids that some of them are operands of.
+struct Expanded {
+  std::vector<Body> bodies;
+  std::vector<Solid> solids;
+};
+
+/// Makes bodies of parts: uses become what they name, arrays become copies, groups dissolve; within
+/// a solid copies and groups are united. Unknown names, definitions in a circle and too many copies
+/// are reported, and then there is nothing.
+Expanded expand(Reporter&, const std::vector<Part>&, const Definitions&);
 
 }  // namespace overstrike::yaml

@@ -134,7 +134,9 @@ Scene read_parts_of_scene(const Fields& f, MeshFiles& meshes) {
     parts = read_parts(reporter, *bodies, "bodies", meshes);
   if (!f.has("bodies") && !f.has("segments") && reporter.errors() == 0)
     reporter.error(f.mark(), "a scene needs 'bodies' or 'segments'");
-  scene.bodies = expand(reporter, parts, definitions);
+  Expanded expanded = expand(reporter, parts, definitions);
+  scene.bodies = std::move(expanded.bodies);
+  scene.solids = std::move(expanded.solids);
   return scene;
 }
 

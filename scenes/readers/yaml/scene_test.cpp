@@ -286,6 +286,45 @@ TEST(YamlScene, GroupsHandDown) {
   EXPECT_EQ(s.bodies[3].shape, s.bodies[0].shape);
 }
 
+/// The tree as text: + union, - difference, * intersection, bodies by their numbers.
+std::string tree_of(const Solid& solid, std::uint32_t at = 0) {
+  const SolidNode& node = solid.nodes[at];
+  if (node.operation == SetOperation::operand) return std::to_string(node.body);
+  std::string text(1, " +-*"[static_cast<int>(node.operation)]);
+  text += '(';
+  for (std::uint32_t i = at + 1; i < node.end; i = solid.nodes[i].end) {
+    if (i > at + 1) text += ' ';
+    text += tree_of(solid, i);
+  }
+  text += ')';
+  return text;
+}
+
+TEST(YamlScene, SolidsAreTreesOfBodies) {
+  const Scene made = scene(
+      "define:\n"
+      "  hole: {cylinder: {radius: 1, height: 2}}\n"
+      "bodies:\n"
+      "  - box: 1\n"
+      "  - name: plate\n"
+      "    density: 0.5\n"
+      "    at: [0, 0, 3]\n"
+      "    difference:\n"
+      "      - box: 4\n"
+      "      - {use: hole, array: {linear: {count: 3, step: [1, 0, 0]}}}\n"
+      "      - group: [{box: 1}, {intersection: [{box: 2, density: 0.5}, {sphere: 1}]}]\n"
+      "  - {union: [{box: 1}], array: {linear: {count: 2, step: [0, 5, 0]}}}\n");
+  ASSERT_EQ(made.solids.size(), 3u);
+  EXPECT_EQ(tree_of(made.solids[0]), "-(1 +(2 3 4) +(5 *(6 7)))");
+  EXPECT_EQ(tree_of(made.solids[1]), "+(8)");
+  EXPECT_EQ(tree_of(made.solids[2]), "+(9)");
+  EXPECT_EQ(made.solids[0].name, "plate");
+  EXPECT_EQ(made.bodies[6].density_factor, 0.25);
+  EXPECT_EQ(made.bodies[4].placement.offset, Vec3(2, 0, 3));
+  EXPECT_EQ(made.bodies[2].shape, made.bodies[4].shape);
+  EXPECT_EQ(made.bodies[9].placement.offset, Vec3(0, 5, 0));
+}
+
 TEST(YamlScene, DefinitionsAreUsedManyTimesAndShareShapes) {
   const Scene s = scene(
       "define:\n"

@@ -1,0 +1,158 @@
+// Laws of Boolean solids that need no oracle: both sides draw the same.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/drawing.h"
+
+namespace overstrike {
+namespace {
+
+constexpr Grid kGrid{40, 40};
+
+using Nodes = std::vector<SolidNode>;
+
+/// Trees over three bodies; a body that stands in a tree twice has two copies.
+class Trees {
+ public:
+  explicit Trees(std::uint64_t seed) : random_(seed) {
+    for (Body& body : bodies_) body = random_body();
+  }
+
+  Nodes a() { return leaf(0); }
+  Nodes b() { return leaf(1); }
+  Nodes c() { return leaf(2); }
+  static Nodes of(SetOperation operation, const std::vector<Nodes>& operands) {
+    Nodes nodes{{operation, 0, 1}};
+    for (const Nodes& operand : operands) {
+      const auto start = static_cast<std::uint32_t>(nodes.size());
+      for (SolidNode below : operand) {
+        below.end += start;
+        nodes.push_back(below);
+      }
+    }
+    nodes[0].end = static_cast<std::uint32_t>(nodes.size());
+    return nodes;
+  }
+
+  /// Ends and tones, line after line, of the tree as a picture.
+  std::vector<double> drawn(const Nodes& nodes, int threads = 1) const {
+    Scene scene;
+    Solid solid;
+    for (SolidNode node : nodes) {
+      if (node.operation == SetOperation::operand) {
+        scene.bodies.push_back(bodies_[node.body]);
+        node.body = static_cast<std::uint32_t>(scene.bodies.size() - 1);
+      }
+      solid.nodes.push_back(node);
+    }
+    scene.solids.push_back(solid);
+    scene.camera = camera_;
+    DrawOptions options;
+    options.threads = threads;
+    Drawing drawing(scene, kGrid, options);
+    std::vector<double> result;
+    drawing.runs({0, 1, 0.5}, [&](const RunRow& row) {
+      result.push_back(static_cast<double>(row.index));
+      for (const DensityRun& run : row.runs)
+        for (const double value : {run.x0, run.x1, run.density0, run.density1})
+          result.push_back(value);
+    });
+    return result;
+  }
+  bool is_bare(const Nodes& nodes) const { return drawn(nodes).size() == kGrid.rows; }
+
+ private:
+  static Nodes leaf(std::uint32_t body) { return {{SetOperation::operand, body, 1}}; }
+  double lattice() { return static_cast<double>(random_() % 4); }
+  Body random_body() {
+    Body body;
+    const double height = 1 + lattice();
+    if (random_() % 2 == 0)
+      body.shape = std::make_shared<Shape>(Box{{2, 1 + lattice(), height}});
+    else
+      body.shape = std::make_shared<Shape>(Frustum{2, 1 + lattice() / 2, height, 5});
+    body.placement.offset = {lattice(), lattice(), lattice() / 2};
+    body.density_factor = 0.25 * (1 + lattice());
+    return body;
+  }
+
+  std::mt19937_64 random_;
+  std::array<Body, 3> bodies_;
+  Camera camera_{Vec3(2, 2, 2), 20.0, {31, 27}, {}, {}, {0, 0, 1}, true, 9.0, {}, {}};
+};
+
+constexpr SetOperation kUnite = SetOperation::unite, kSubtract = SetOperation::subtract,
+                       kIntersect = SetOperation::intersect;
+
+TEST(Solids, KeepTheLawsOfSets) {
+  int bare = 0;
+  for (std::uint64_t n = 0; n < 60; ++n) {
+    SCOPED_TRACE(n);
+    Trees t(n);
+    const Nodes a = t.a(), b = t.b(), c = t.c();
+    const auto unite = [](const Nodes& p, const Nodes& q) { return Trees::of(kUnite, {p, q}); };
+    const auto less = [](const Nodes& p, const Nodes& q) { return Trees::of(kSubtract, {p, q}); };
+    const auto both = [](const Nodes& p, const Nodes& q) { return Trees::of(kIntersect, {p, q}); };
+    const auto same = [&](const Nodes& p, const Nodes& q) { return t.drawn(p) == t.drawn(q); };
+    EXPECT_TRUE(same(unite(a, a), a));
+    EXPECT_TRUE(same(both(a, a), a));
+    EXPECT_TRUE(t.is_bare(less(a, a)));
+    EXPECT_TRUE(same(unite(a, both(a, b)), a)) << "absorption";
+    EXPECT_TRUE(same(both(a, unite(a, b)), a)) << "absorption";
+    EXPECT_TRUE(same(less(a, unite(b, c)), both(less(a, b), less(a, c)))) << "De Morgan";
+    EXPECT_TRUE(same(less(a, both(b, c)), unite(less(a, b), less(a, c)))) << "De Morgan";
+    EXPECT_TRUE(same(both(a, unite(b, c)), unite(both(a, b), both(a, c)))) << "distribution";
+    EXPECT_TRUE(same(unite(a, both(b, c)), both(unite(a, b), unite(a, c)))) << "distribution";
+    EXPECT_TRUE(same(unite(less(a, b), both(a, b)), a));
+    EXPECT_TRUE(same(Trees::of(kUnite, {a, b, c}), Trees::of(kUnite, {c, a, b}))) << "order";
+    EXPECT_TRUE(same(Trees::of(kSubtract, {a, b, c}), Trees::of(kSubtract, {a, c, b}))) << "order";
+    EXPECT_EQ(t.drawn(less(a, b), 2), t.drawn(less(a, b), 1)) << "threads";
+    bare += t.is_bare(both(a, b));
+  }
+  EXPECT_LT(bare, 40);
+}
+
+/// What OpenSCAD's preview and POV-Ray draw closed.
+TEST(Solids, AHoleThatEndsFlushWithBothFacesIsOpen) {
+  Scene scene;
+  for (const double size : {10.0, 6.0}) {
+    Body body;
+    body.shape = std::make_shared<Shape>(Box{{size, size, 10}});
+    scene.bodies.push_back(body);
+  }
+  scene.solids.push_back(
+      {{{kSubtract, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}});
+  scene.camera = {Vec3(0), 50.0, {0, 90}, {}, {}, {0, 0, 1}, true, 20.0, {}, {}};
+  Drawing drawing(scene, kGrid, {});
+  drawing.runs({0, 100, 20.25}, [&](const RunRow& row) {
+    ASSERT_EQ(row.runs.size(), 2u);
+    EXPECT_DOUBLE_EQ(row.runs[0].x0, 10);
+    EXPECT_DOUBLE_EQ(row.runs[0].x1, 14);
+    EXPECT_DOUBLE_EQ(row.runs[1].x0, 26);
+    EXPECT_DOUBLE_EQ(row.runs[1].x1, 30);
+  });
+}
+
+TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
+  Scene scene;
+  Body box, sheet;
+  box.shape = std::make_shared<Shape>(Box{});
+  sheet.shape = std::make_shared<Shape>(FlatPolygon{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}}});
+  sheet.name = "lid";
+  scene.bodies = {box, sheet};
+  scene.solids.push_back(
+      {{{kUnite, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}});
+  try {
+    const Drawing drawing(scene, kGrid, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().front().message,
+              "polygon 'lid' is not closed, so that it has no inside to unite, subtract or "
+              "intersect: 3 of its edges have one face only: (0, 0, 0) to (1, 0, 0), (0, 1, 0.5) "
+              "to (0, 0, 0), (1, 0, 0) to (0, 1, 0.5)");
+  }
+}
+
+}  // namespace
+}  // namespace overstrike
