@@ -16,90 +16,149 @@ void SolidSweep::begin(const SolidExpression& expression, double y) {
   }
   y_ = y;
   layers_.clear(), passed_.clear();
+  known_ = false;
 }
 
 void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(faces); }
 
 SolidSweep::Layer SolidSweep::layer_of(Index face) const {
   const Canonical& c = table_.canonical;
-  return {face, c.faces[face].plane, c.memberships[c.faces[face].body].operand,
-          table_.from_behind(face) ? -1 : 1, order_.depth_of(face)};
+  const DepthPlane& d = order_.depth_of(face);
+  return {face,
+          c.faces[face].plane,
+          c.memberships[c.faces[face].body].operand,
+          table_.from_behind(face) ? -1 : 1,
+          d.a,
+          d.b * y_ + d.c,
+          d.ea,
+          d.eb * std::fabs(y_) + d.ec,
+          true};
+}
+
+/// Sign of how much nearer a is at x, or 0 where doubles cannot tell. Then it is `sharp` when they
+/// can nearer to x than anybody tells: where the two cross there, it is known where.
+int SolidSweep::compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const {
+  const double slope = a.slope - b.slope;
+  const double difference = (a.slope * x + a.constant) - (b.slope * x + b.constant);
+  const double error =
+      (a.slope_error + b.slope_error) * std::fabs(x) + (a.constant_error + b.constant_error);
+  sharp = error <= FaceOrder::kCrossingError * std::fabs(slope);
+  return (difference > error) - (difference < -error);
 }
 
 /// Sign of how much nearer a is in the present span: at its beginning, and where they are equal
-/// there, at its end. 0 in one plane, or along the whole span.
+/// there, right of it. 0 in one plane, or along the whole span.
 int SolidSweep::compare(const Layer& a, const Layer& b) const {
   if (a.plane == b.plane) return 0;
-  for (const double x : {low_, high_}) {
-    int side = compare_roughly(a.depth, b.depth, x, y_);
-    if (side == 0) side = order_.compare(a.face, b.face, x, y_);
-    if (side != 0) return side;
+  bool sharp = false;
+  if (const int side = compare_at(a, b, low_, sharp); side != 0) return side;
+  if (sharp) return a.slope > b.slope ? 1 : -1;
+  const int side = order_.compare(a.face, b.face, low_, y_);
+  return side != 0 ? side : order_.compare(a.face, b.face, high_, y_);
+}
+
+/// Whether a layer lies in one plane with the one before it or after it.
+bool SolidSweep::ties(std::size_t at) const {
+  const auto same = [&](std::size_t i) { return layers_[i].plane == layers_[i + 1].plane; };
+  return (at > 0 && same(at - 1)) || (at + 1 < layers_.size() && same(at));
+}
+
+/// What is seen is as it was while this is behind what decided it; but one that has come next to
+/// another of its plane decides with that.
+void SolidSweep::changed_at(std::size_t at) {
+  const bool joins = at > 0 && at < layers_.size() && layers_[at - 1].plane == layers_[at].plane;
+  known_ = known_ && (joins ? at - 1 : at) >= decided_;
+}
+
+/// What it decided it decides on, if it is alone in its plane, before and after.
+void SolidSweep::replace(std::size_t at, Index face) {
+  const Layer before = layers_[at];
+  const bool tied = ties(at);
+  layers_[at] = layer_of(face);
+  const bool alike = layers_[at].enters == before.enters && !tied && !ties(at);
+  if (!alike) return changed_at(at);
+  if (known_ && seen_ == before.face) seen_ = face;
+}
+
+void SolidSweep::toggle(Index face) {
+  const auto layer =
+      std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.face == face; });
+  if (layer != layers_.end()) {
+    const auto at = static_cast<std::size_t>(layer - layers_.begin());
+    layers_.erase(layer);
+    changed_at(at);
+  } else if (const auto there = std::find(entering_.begin(), entering_.end(), face);
+             there != entering_.end()) {
+    entering_.erase(there);
+  } else {
+    entering_.push_back(face);
   }
-  return 0;
 }
 
 /// Passes the edges since the last span. A face that takes the place of its neighbour in an edge is
 /// as near as that was; where it was among faces of one plane it may not be.
 void SolidSweep::settle(double low, double high) {
   low_ = low, high_ = high;
-  entering_.clear(), replaced_.clear();
-  const auto at = [&](Index face) {
-    return std::find_if(layers_.begin(), layers_.end(),
-                        [&](const Layer& l) { return l.face == face; });
-  };
-  const auto toggle = [&](Index face) {
-    if (const auto layer = at(face); layer != layers_.end()) {
-      layers_.erase(layer);
-    } else if (const auto there = std::find(entering_.begin(), entering_.end(), face);
-               there != entering_.end()) {
-      entering_.erase(there);
-    } else {
-      entering_.push_back(face);
-    }
-  };
-  for (const std::array<Index, 2>& faces : passed_) {
-    const auto [f, g] = faces;
-    const auto of_f = at(f);
-    const auto of_g = g == kNone ? layers_.end() : at(g);
-    const bool entering =
-        std::find_if(entering_.begin(), entering_.end(),
-                     [&, a = f, b = g](Index i) { return i == a || i == b; }) != entering_.end();
-    if (g != kNone && !entering && (of_f == layers_.end()) != (of_g == layers_.end())) {
-      const auto layer = of_f == layers_.end() ? of_g : of_f;
-      *layer = layer_of(of_f == layers_.end() ? f : g);
+  entering_.clear();
+  bool any_fresh = false;
+  for (const auto& [f, g] : passed_) {
+    if (g == kNone) {
+      toggle(f);
       continue;
     }
-    toggle(f);
-    if (g != kNone) toggle(g);
+    std::size_t at_f = layers_.size(), at_g = layers_.size();
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      if (layers_[i].face == f) at_f = i;
+      if (layers_[i].face == g) at_g = i;
+    }
+    const bool has_f = at_f < layers_.size(), has_g = at_g < layers_.size();
+    const Index other = has_f ? g : f;
+    if (has_f != has_g && std::find(entering_.begin(), entering_.end(), other) == entering_.end()) {
+      replace(has_f ? at_f : at_g, other);
+      any_fresh = true;
+      continue;
+    }
+    toggle(f), toggle(g);
   }
   passed_.clear();
-  for (std::size_t i = 0; i < layers_.size(); ++i) move_into_order(i);
+  if (any_fresh) {
+    for (std::size_t i = 1; i < layers_.size(); ++i)
+      if (layers_[i].fresh || layers_[i - 1].fresh) move_into_order(i);
+    for (Layer& layer : layers_) layer.fresh = false;
+  }
   for (const Index face : entering_) insert(face);
 }
 
 /// Layers before it are in order.
 void SolidSweep::move_into_order(std::size_t at) {
-  for (; at > 0 && compare(layers_[at], layers_[at - 1]) > 0; --at)
+  for (; at > 0 && compare(layers_[at], layers_[at - 1]) > 0; --at) {
     std::swap(layers_[at], layers_[at - 1]);
+    changed_at(at - 1);
+  }
 }
 
 /// In front of what it is nearer than; beside faces of its plane.
 void SolidSweep::insert(Index face) {
-  const Layer layer = layer_of(face);
+  Layer layer = layer_of(face);
+  layer.fresh = false;
   const auto behind = std::partition_point(layers_.begin(), layers_.end(), [&](const Layer& other) {
     return compare(other, layer) >= 0;
   });
+  const auto at = static_cast<std::size_t>(behind - layers_.begin());
   layers_.insert(behind, layer);
+  changed_at(at);
 }
 
 /// The first place right of `from` where two neighbours in depth are at one depth and go on the
-/// other way round.
+/// other way round. What may cross at the very end may as well do so in the next span.
 std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) const {
   std::optional<Crossing> next;
   for (std::size_t i = 0; i + 1 < layers_.size(); ++i) {
     const Layer &near = layers_[i], &far = layers_[i + 1];
     if (near.plane == far.plane) continue;
-    int side = compare_roughly(near.depth, far.depth, high_, y_);
+    bool sharp = false;
+    int side = compare_at(near, far, high_, sharp);
+    if (side > 0 || (side == 0 && sharp)) continue;
     if (side == 0) side = order_.compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;
     const double x = order_.crossing(near.face, far.face, y_);
@@ -123,19 +182,27 @@ void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces) {
   for (double x = low; const std::optional<Crossing> next = next_crossing(x);) {
     x = next->x;
     std::swap(layers_[next->first], layers_[next->first + 1]);
+    changed_at(next->first);
     const Index now = seen();
     if (now == piece.face) continue;
-    show_to(x, 0);
+    if (x > low) show_to(x, 0);
     piece.face = now;
   }
   show_to(over.x1, over.slack1);
 }
 
+Index SolidSweep::seen() {
+  if (!known_) seen_ = find_seen();
+  known_ = true;
+  return seen_;
+}
+
 /// The face of the solid that is nearest, or kNone. Faces of one plane are counted together before
 /// it is decided whether the solid begins there (TK 3.3.4, step 5).
-Index SolidSweep::seen() {
+Index SolidSweep::find_seen() {
   Index found = kNone;
   entered_.clear();
+  decided_ = layers_.size() + 1;
   for (std::size_t first = 0, end = 0; first < layers_.size() && found == kNone; first = end) {
     changed_.clear();
     for (end = first; end < layers_.size() && layers_[end].plane == layers_[first].plane; ++end) {
@@ -147,7 +214,9 @@ Index SolidSweep::seen() {
       changed_.push_back(layer.operand);
     }
     entered_.insert(entered_.end(), changed_.begin(), changed_.end());
-    if (state_->inside()) found = end - first == 1 ? layers_[first].face : choose(first, end);
+    if (!state_->inside()) continue;
+    found = end - first == 1 ? layers_[first].face : choose(first, end);
+    decided_ = end;
   }
   for (std::size_t i = 0; i < layers_.size(); ++i) winding_[layers_[i].operand] = 0;
   for (const Index operand : entered_)

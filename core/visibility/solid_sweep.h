@@ -30,12 +30,13 @@ class SolidSweep {
   void span(const SpanPiece& over, std::vector<SpanPiece>& pieces);
 
  private:
-  /// An active face. Larger depths are nearer.
+  /// An active face, and its depth on the level: slope x + constant, larger is nearer.
   struct Layer {
     Index face;
     Index plane, operand;
     int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
-    DepthPlane depth;
+    double slope, constant, slope_error, constant_error;
+    bool fresh;  ///< it took the place of another in the span in hand
   };
   /// A crossing of two neighbours in depth.
   struct Crossing {
@@ -44,11 +45,17 @@ class SolidSweep {
   };
   Layer layer_of(Index face) const;
   void settle(double low, double high);
+  void replace(std::size_t at, Index face);
+  void toggle(Index face);
   void insert(Index face);
   void move_into_order(std::size_t at);
   int compare(const Layer& a, const Layer& b) const;
+  int compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const;
   std::optional<Crossing> next_crossing(double from) const;
+  void changed_at(std::size_t at);
+  bool ties(std::size_t at) const;
   Index seen();
+  Index find_seen();
   Index choose(std::size_t first, std::size_t end);
   bool needed(Index operand, std::span<const Index> changed);
 
@@ -60,7 +67,10 @@ class SolidSweep {
   std::vector<Layer> layers_;          ///< from near to far
   std::vector<std::array<Index, 2>> passed_;
   std::vector<Index> entering_;
-  std::vector<std::size_t> replaced_;
+  // What is seen, as long as nothing changes among the first `decided_` layers, which decide it.
+  bool known_ = false;
+  Index seen_ = kNone;
+  std::size_t decided_ = 0;
   std::vector<int> winding_;  ///< per operand; 0 between two questions
   std::vector<Index> entered_, changed_, operands_, candidates_, others_;
   std::vector<char> made_;  ///< per one of others_: whether its change is made
