@@ -32,7 +32,9 @@ SolidSweep::Layer SolidSweep::layer_of(Index face) const {
           d.b * y_ + d.c,
           d.ea,
           d.eb * std::fabs(y_) + d.ec,
-          true};
+          true,
+          kNone,
+          0};
 }
 
 /// Sign of how much nearer a is at x, or 0 where doubles cannot tell. Then it is `sharp` when they
@@ -149,15 +151,31 @@ void SolidSweep::insert(Index face) {
   changed_at(at);
 }
 
+/// Up to where a layer that is before another at high_ stays so, whatever rounding does; high_
+/// where that is not sure.
+double SolidSweep::before_until(const Layer& near, const Layer& far) const {
+  const double slope = near.slope - far.slope;
+  const double reach = std::max(table_.columns, std::fabs(low_));
+  const double error =
+      (near.slope_error + far.slope_error) * reach + (near.constant_error + far.constant_error);
+  const double lead =
+      (near.slope * high_ + near.constant) - (far.slope * high_ + far.constant) - error;
+  if (!(lead > 0)) return high_;
+  return slope < 0 ? high_ + 0.999 * lead / -slope : HUGE_VAL;
+}
+
 /// The first place right of `from` where two neighbours in depth are at one depth and go on the
 /// other way round. What may cross at the very end may as well do so in the next span.
-std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) const {
+std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
   std::optional<Crossing> next;
   for (std::size_t i = 0; i + 1 < layers_.size(); ++i) {
-    const Layer &near = layers_[i], &far = layers_[i + 1];
+    Layer& near = layers_[i];
+    const Layer& far = layers_[i + 1];
+    if (near.before == far.face && high_ <= near.before_until) continue;
     if (near.plane == far.plane) continue;
     bool sharp = false;
     int side = compare_at(near, far, high_, sharp);
+    if (side > 0) near.before = far.face, near.before_until = before_until(near, far);
     if (side > 0 || (side == 0 && sharp)) continue;
     if (side == 0) side = order_.compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;

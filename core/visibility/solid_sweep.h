@@ -37,6 +37,9 @@ class SolidSweep {
     int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
     double slope, constant, slope_error, constant_error;
     bool fresh;  ///< it took the place of another in the span in hand
+    // It stays before that face up to there; kept by next_crossing().
+    Index before = kNone;
+    double before_until = 0;
   };
   /// A crossing of two neighbours in depth.
   struct Crossing {
@@ -51,7 +54,8 @@ class SolidSweep {
   void move_into_order(std::size_t at);
   int compare(const Layer& a, const Layer& b) const;
   int compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const;
-  std::optional<Crossing> next_crossing(double from) const;
+  std::optional<Crossing> next_crossing(double from);
+  double before_until(const Layer& near, const Layer& far) const;
   void changed_at(std::size_t at);
   bool ties(std::size_t at) const;
   Index seen();
