@@ -77,7 +77,10 @@ void SolidSweep::replace(std::size_t at, Index face) {
   const Layer before = layers_[at];
   const bool tied = ties(at);
   layers_[at] = layer_of(face);
-  const bool alike = layers_[at].enters == before.enters && !tied && !ties(at);
+  const bool ties_now = ties(at);
+  // Elsewhere it is where the other was, or crosses its neighbours here.
+  layers_[at].fresh = tied || ties_now;
+  const bool alike = layers_[at].enters == before.enters && !tied && !ties_now;
   if (!alike) return changed_at(at);
   if (known_ && seen_ == before.face) seen_ = face;
 }
@@ -117,7 +120,7 @@ void SolidSweep::settle(double low, double high) {
     const Index other = has_f ? g : f;
     if (has_f != has_g && std::find(entering_.begin(), entering_.end(), other) == entering_.end()) {
       replace(has_f ? at_f : at_g, other);
-      any_fresh = true;
+      any_fresh = any_fresh || layers_[has_f ? at_f : at_g].fresh;
       continue;
     }
     toggle(f), toggle(g);
