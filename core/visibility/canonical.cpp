@@ -82,7 +82,10 @@ class Assembler {
     if (scene.light) out_.light = unit_vector(*scene.light);
     for (const Body& body : scene.bodies)
       any_smooth_ = any_smooth_ || body.shading == Shading::smooth;
-    bodies_ = scene.solids.empty() ? placed_.all() : with_solids(scene, placed_, out_);
+    bodies_ = placed_.all();
+    if (scene.solids.empty()) return;
+    distinct_ = with_solids(scene, placed_, out_);
+    bodies_ = distinct_;
   }
 
   /// Edges come last, when what welding needs has been given back.
@@ -296,7 +299,8 @@ class Assembler {
 
   const View& view_;
   PlacedShapes placed_;
-  std::vector<PlacedShape> bodies_;  ///< in the order of Canonical::bodies
+  std::vector<PlacedShape> distinct_;    ///< of a scene with solids
+  std::span<const PlacedShape> bodies_;  ///< in the order of Canonical::bodies
   std::map<std::pair<const PreparedShape*, bool>, Index> first_twin_;
   bool any_smooth_ = false;
   std::vector<VertexError> errors_;    ///< per body
