@@ -290,13 +290,14 @@ bool SolidSweep::needed(Index operand, std::span<const Index> changed) {
   made_.assign(others_.size(), 1);
   const auto flip_other = [&](std::size_t i) { state_->flip(others_[i]), made_[i] ^= 1; };
   state_->flip(operand);
-  bool result = flips_the_solid();
+  // With all others made it began there: without this one it does not.
+  bool result = !state_->inside();
   if (others_.size() <= kFew) {
     for (std::size_t step = 1; !result && step < std::size_t{1} << others_.size(); ++step) {
       flip_other(static_cast<std::size_t>(std::countr_zero(step)));
       result = flips_the_solid();
     }
-  } else {
+  } else if (!result) {
     for (std::size_t i = 0; i < others_.size() && state_->inside(); ++i) flip_other(i);
     result = flips_the_solid();
   }
