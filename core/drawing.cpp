@@ -164,11 +164,11 @@ class AveragedRows : public RowResolver {
 struct Drawing::Impl {
   Impl(const Scene& scene, const Grid& asked_grid, const DrawOptions& draw_options)
       : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
-    check_solids(scene);
     Stopwatch eye_watch;
     whole =
         std::make_shared<const Canonical>(canonicalize(scene, view, options.tolerance, warnings));
     timings.eye_ms += eye_watch.ms();
+    check_solids(scene.solids.empty() ? Place{} : scene.solids.front().place);
     clip_near();
     if (options.method == Method::nn74) {
       prepare_nn74(scene);
@@ -178,18 +178,18 @@ struct Drawing::Impl {
   Impl(std::shared_ptr<const Canonical> canonical, const View& in_view,
        const DrawOptions& draw_options)
       : options(draw_options), grid(in_view.grid), view(in_view), whole(std::move(canonical)) {
+    check_solids({});
     clip_near();
   }
 
-  /// What cannot be drawn of solids.
-  void check_solids(const Scene& scene) {
-    if (scene.solids.empty()) return;
-    place_of_solid = scene.solids.front().place;
-    const Place& place = place_of_solid;
+  /// What cannot be drawn of solids, the first of which the scene names at `place`.
+  void check_solids(const Place& place) {
+    if (whole->solids.empty()) return;
+    place_of_solid = place;
     if (options.method == Method::nn74)
       throw InputError(place, "method nn74 draws no unions, differences and intersections",
                        "method line draws them");
-    if (scene.light)
+    if (whole->light)
       throw InputError(place, "unions, differences and intersections have no shadows so far",
                        "draw them without light: light: none");
   }

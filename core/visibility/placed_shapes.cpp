@@ -77,6 +77,12 @@ std::string roughly(double value) {
 
 }  // namespace
 
+std::string name_of(const Body& body) {
+  std::string name(shape_name(*body.shape));
+  if (!body.name.empty()) name += " '" + body.name + "'";
+  return name;
+}
+
 PlacedShapes::PlacedShapes(const Scene& scene, const View& view, double chord_cells,
                            std::vector<Diagnostic>& warnings)
     : scene_(scene), view_(view), chord_cells_(chord_cells), warnings_(warnings) {
@@ -90,9 +96,7 @@ Affine PlacedShapes::placement(const PlacedShape& placed) const {
 }
 
 void PlacedShapes::warn(const Body& body, const std::string& what) {
-  std::string subject(shape_name(*body.shape));
-  if (!body.name.empty()) subject += " '" + body.name + "'";
-  warnings_.push_back({Severity::warning, body.place, subject + ": " + what, {}, {}});
+  warnings_.push_back({Severity::warning, body.place, name_of(body) + ": " + what, {}, {}});
 }
 
 double PlacedShapes::chord_of_shape(const Body& body, const Affine& placement) {

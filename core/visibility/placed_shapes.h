@@ -2,6 +2,7 @@
 // Which shapes stand where: every body's shape, prepared once for all its copies.
 #include <map>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "core/visibility/view.h"
 
 namespace overstrike {
+
+/// For messages: "box 'hall'".
+std::string name_of(const Body& body);
 
 struct PlacedShape {
   Index source;    ///< in Scene::bodies

@@ -5,8 +5,6 @@
 #include <map>
 #include <tuple>
 
-#include "core/geometry/tessellate.h"
-
 namespace overstrike {
 namespace {
 
@@ -41,9 +39,7 @@ std::string open_edges(const PreparedShape& shape) {
 
 void refuse_open(const Body& body, const PreparedShape& shape) {
   if (shape.closed) return;
-  std::string subject(shape_name(*body.shape));
-  if (!body.name.empty()) subject += " '" + body.name + "'";
-  throw InputError(body.place, subject +
+  throw InputError(body.place, name_of(body) +
                                    " is not closed, so that it has no inside to unite, "
                                    "subtract or intersect: " +
                                    open_edges(shape));

@@ -4,26 +4,14 @@
 
 #include <random>
 
+#include "core/visibility/test_scenes.h"
+
 namespace overstrike {
 namespace {
 
-/// A tree as it is built, from the leaves up.
+using testing::operand_tree;
+using testing::tree_of;
 using Nodes = std::vector<SolidNode>;
-
-Nodes leaf(Index operand) { return {{SetOperation::operand, operand, 1}}; }
-
-Nodes node(SetOperation operation, const std::vector<Nodes>& operands) {
-  Nodes nodes{{operation, 0, 1}};
-  for (const Nodes& operand : operands) {
-    const auto start = static_cast<Index>(nodes.size());
-    for (SolidNode below : operand) {
-      below.end += start;
-      nodes.push_back(below);
-    }
-  }
-  nodes[0].end = static_cast<Index>(nodes.size());
-  return nodes;
-}
 
 /// The definition.
 bool holds(const Nodes& nodes, Index at, const std::vector<bool>& in) {
@@ -43,11 +31,11 @@ bool holds(const Nodes& nodes, Index at, const std::vector<bool>& in) {
 
 Nodes random_tree(std::mt19937_64& random, int depth, Index operands) {
   const auto below = [&](std::size_t n) { return random() % n; };
-  if (depth == 0 || below(4) == 0) return leaf(static_cast<Index>(below(operands)));
+  if (depth == 0 || below(4) == 0) return operand_tree(static_cast<Index>(below(operands)));
   std::vector<Nodes> members;
   for (std::size_t i = below(8) == 0 ? 0 : 1 + below(3); i > 0; --i)
     members.push_back(random_tree(random, depth - 1, operands));
-  return node(static_cast<SetOperation>(1 + below(3)), members);
+  return tree_of(static_cast<SetOperation>(1 + below(3)), members);
 }
 
 TEST(SolidExpression, IsWhatItsTreeSaysWhereverOnTheWay) {
@@ -73,13 +61,17 @@ TEST(SolidExpression, IsWhatItsTreeSaysWhereverOnTheWay) {
 
 TEST(SolidExpression, NestedUnionsAndDifferencesAreOneTerm) {
   constexpr Index kOperands = 50;
-  Nodes chain = leaf(0);
+  Nodes chain = operand_tree(0);
   for (Index i = 1; i < kOperands; ++i)
-    chain = node(i % 2 != 0 ? SetOperation::subtract : SetOperation::intersect, {chain, leaf(i)});
+    chain = tree_of(i % 2 != 0 ? SetOperation::subtract : SetOperation::intersect,
+                    {chain, operand_tree(i)});
   EXPECT_EQ(SolidExpression(chain, kOperands).terms(), 1u);
-  Nodes tools = leaf(1);
-  for (Index i = 2; i < kOperands; ++i) tools = node(SetOperation::unite, {leaf(i), tools});
-  EXPECT_EQ(SolidExpression(node(SetOperation::subtract, {leaf(0), tools}), kOperands).terms(), 1u);
+  Nodes tools = operand_tree(1);
+  for (Index i = 2; i < kOperands; ++i)
+    tools = tree_of(SetOperation::unite, {operand_tree(i), tools});
+  EXPECT_EQ(
+      SolidExpression(tree_of(SetOperation::subtract, {operand_tree(0), tools}), kOperands).terms(),
+      1u);
 }
 
 /// A0 - (A1 - (A2 - ...)), preorder by hand: composing would take the square of the depth.
@@ -103,7 +95,7 @@ TEST(SolidExpression, GoesAsDeepAsMemoryDoes) {
 }
 
 TEST(SolidExpression, LeavesOfOneOperandAreOneSet) {
-  const Nodes nothing = node(SetOperation::subtract, {leaf(0), leaf(0)});
+  const Nodes nothing = tree_of(SetOperation::subtract, {operand_tree(0), operand_tree(0)});
   const SolidExpression expression(nothing, 1);
   SolidExpression::State state(expression);
   state.flip(0);
@@ -111,10 +103,10 @@ TEST(SolidExpression, LeavesOfOneOperandAreOneSet) {
 }
 
 TEST(SolidExpression, NodesWithoutOperandsAreEmpty) {
-  const Nodes empty = node(SetOperation::intersect, {});
+  const Nodes empty = tree_of(SetOperation::intersect, {});
   for (const SetOperation operation :
        {SetOperation::unite, SetOperation::subtract, SetOperation::intersect}) {
-    const SolidExpression expression(node(operation, {leaf(0), empty}), 1);
+    const SolidExpression expression(tree_of(operation, {operand_tree(0), empty}), 1);
     SolidExpression::State state(expression);
     state.flip(0);
     EXPECT_EQ(state.inside(), operation != SetOperation::intersect);

@@ -4,12 +4,15 @@
 #include <random>
 
 #include "core/drawing.h"
+#include "core/visibility/test_scenes.h"
 
 namespace overstrike {
 namespace {
 
 constexpr Grid kGrid{40, 40};
 
+using testing::operand_tree;
+using testing::tree_of;
 using Nodes = std::vector<SolidNode>;
 
 /// Trees over three bodies; a body that stands in a tree twice has two copies.
@@ -19,21 +22,9 @@ class Trees {
     for (Body& body : bodies_) body = random_body();
   }
 
-  Nodes a() { return leaf(0); }
-  Nodes b() { return leaf(1); }
-  Nodes c() { return leaf(2); }
-  static Nodes of(SetOperation operation, const std::vector<Nodes>& operands) {
-    Nodes nodes{{operation, 0, 1}};
-    for (const Nodes& operand : operands) {
-      const auto start = static_cast<std::uint32_t>(nodes.size());
-      for (SolidNode below : operand) {
-        below.end += start;
-        nodes.push_back(below);
-      }
-    }
-    nodes[0].end = static_cast<std::uint32_t>(nodes.size());
-    return nodes;
-  }
+  Nodes a() { return operand_tree(0); }
+  Nodes b() { return operand_tree(1); }
+  Nodes c() { return operand_tree(2); }
 
   /// Ends and tones, line after line, of the tree as a picture.
   std::vector<double> drawn(const Nodes& nodes, int threads = 1) const {
@@ -63,7 +54,6 @@ class Trees {
   bool is_bare(const Nodes& nodes) const { return drawn(nodes).size() == kGrid.rows; }
 
  private:
-  static Nodes leaf(std::uint32_t body) { return {{SetOperation::operand, body, 1}}; }
   double lattice() { return static_cast<double>(random_() % 4); }
   Body random_body() {
     Body body;
@@ -91,9 +81,9 @@ TEST(Solids, KeepTheLawsOfSets) {
     SCOPED_TRACE(n);
     Trees t(n);
     const Nodes a = t.a(), b = t.b(), c = t.c();
-    const auto unite = [](const Nodes& p, const Nodes& q) { return Trees::of(kUnite, {p, q}); };
-    const auto less = [](const Nodes& p, const Nodes& q) { return Trees::of(kSubtract, {p, q}); };
-    const auto both = [](const Nodes& p, const Nodes& q) { return Trees::of(kIntersect, {p, q}); };
+    const auto unite = [](const Nodes& p, const Nodes& q) { return tree_of(kUnite, {p, q}); };
+    const auto less = [](const Nodes& p, const Nodes& q) { return tree_of(kSubtract, {p, q}); };
+    const auto both = [](const Nodes& p, const Nodes& q) { return tree_of(kIntersect, {p, q}); };
     const auto same = [&](const Nodes& p, const Nodes& q) { return t.drawn(p) == t.drawn(q); };
     EXPECT_TRUE(same(unite(a, a), a));
     EXPECT_TRUE(same(both(a, a), a));
@@ -105,8 +95,8 @@ TEST(Solids, KeepTheLawsOfSets) {
     EXPECT_TRUE(same(both(a, unite(b, c)), unite(both(a, b), both(a, c)))) << "distribution";
     EXPECT_TRUE(same(unite(a, both(b, c)), both(unite(a, b), unite(a, c)))) << "distribution";
     EXPECT_TRUE(same(unite(less(a, b), both(a, b)), a));
-    EXPECT_TRUE(same(Trees::of(kUnite, {a, b, c}), Trees::of(kUnite, {c, a, b}))) << "order";
-    EXPECT_TRUE(same(Trees::of(kSubtract, {a, b, c}), Trees::of(kSubtract, {a, c, b}))) << "order";
+    EXPECT_TRUE(same(tree_of(kUnite, {a, b, c}), tree_of(kUnite, {c, a, b}))) << "order";
+    EXPECT_TRUE(same(tree_of(kSubtract, {a, b, c}), tree_of(kSubtract, {a, c, b}))) << "order";
     EXPECT_EQ(t.drawn(less(a, b), 2), t.drawn(less(a, b), 1)) << "threads";
     bare += t.is_bare(both(a, b));
   }

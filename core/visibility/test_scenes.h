@@ -2,8 +2,10 @@
 // Small scenes for the tests beside this file.
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "core/geometry/trig.h"
+#include "core/picture.h"
 #include "core/scene/scene.h"
 
 namespace overstrike::testing {
@@ -15,6 +17,26 @@ inline Body& add(Scene& scene, Shape shape, Vec3 at = Vec3(0), double turn_deg =
   body.placement = {Mat3(Vec3(c, s, 0), Vec3(-s, c, 0), Vec3(0, 0, 1)), at};
   scene.bodies.push_back(std::move(body));
   return scene.bodies.back();
+}
+
+/// A tree that is one operand.
+inline std::vector<SolidNode> operand_tree(std::uint32_t body) {
+  return {{SetOperation::operand, body, 1}};
+}
+
+/// A tree of trees.
+inline std::vector<SolidNode> tree_of(SetOperation operation,
+                                      const std::vector<std::vector<SolidNode>>& operands) {
+  std::vector<SolidNode> nodes{{operation, 0, 1}};
+  for (const std::vector<SolidNode>& operand : operands) {
+    const auto start = static_cast<std::uint32_t>(nodes.size());
+    for (SolidNode below : operand) {
+      below.end += start;
+      nodes.push_back(below);
+    }
+  }
+  nodes[0].end = static_cast<std::uint32_t>(nodes.size());
+  return nodes;
 }
 
 /// Looking straight down on [0, columns] x [0, rows] of the world's x and -y, one unit a cell.

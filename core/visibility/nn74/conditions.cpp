@@ -4,20 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "core/geometry/tessellate.h"
 #include "core/visibility/nn74/pairs.h"
 #include "core/visibility/nn74/separation.h"
+#include "core/visibility/placed_shapes.h"
 
 namespace overstrike::nn74 {
 namespace {
 
 constexpr const char* kHint = "method line draws it";
-
-std::string name_of(const Body& body) {
-  std::string name(shape_name(*body.shape));
-  if (!body.name.empty()) name += " '" + body.name + "'";
-  return name;
-}
 
 double reach_of(const Canonical& c, const CanonicalBody& body) {
   double reach = 0;
