@@ -189,9 +189,6 @@ struct Drawing::Impl {
     if (options.method == Method::nn74)
       throw InputError(place, "method nn74 draws no unions, differences and intersections",
                        "method line draws them");
-    if (whole->light)
-      throw InputError(place, "unions, differences and intersections have no shadows so far",
-                       "draw them without light: light: none");
   }
 
   void clip_near() {

@@ -8,13 +8,15 @@
 
 namespace overstrike {
 
-void SolidSweep::begin(const SolidExpression& expression, double y) {
+void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& order, double y,
+                       double reach) {
   if (expression_ != &expression) {
     expression_ = &expression;
     state_.emplace(expression);
     winding_.assign(expression.operands(), 0);
   }
-  y_ = y;
+  order_ = &order;
+  y_ = y, reach_ = reach;
   layers_.clear(), passed_.clear();
   known_ = false;
 }
@@ -22,12 +24,12 @@ void SolidSweep::begin(const SolidExpression& expression, double y) {
 void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(faces); }
 
 SolidSweep::Layer SolidSweep::layer_of(Index face) const {
-  const Canonical& c = table_.canonical;
-  const DepthPlane& d = order_.depth_of(face);
+  const CanonicalFace& f = canonical_.faces[face];
+  const DepthPlane& d = order_->depth_of(face);
   return {face,
-          c.faces[face].plane,
-          c.memberships[c.faces[face].body].operand,
-          table_.from_behind(face) ? -1 : 1,
+          f.plane,
+          canonical_.memberships[f.body].operand,
+          order_->enters(face),
           d.a,
           d.b * y_ + d.c,
           d.ea,
@@ -44,7 +46,7 @@ int SolidSweep::compare_at(const Layer& a, const Layer& b, double x, bool& sharp
   const double difference = (a.slope * x + a.constant) - (b.slope * x + b.constant);
   const double error =
       (a.slope_error + b.slope_error) * std::fabs(x) + (a.constant_error + b.constant_error);
-  sharp = error <= FaceOrder::kCrossingError * std::fabs(slope);
+  sharp = error <= kCrossingError * std::fabs(slope);
   return (difference > error) - (difference < -error);
 }
 
@@ -55,8 +57,8 @@ int SolidSweep::compare(const Layer& a, const Layer& b) const {
   bool sharp = false;
   if (const int side = compare_at(a, b, low_, sharp); side != 0) return side;
   if (sharp) return a.slope > b.slope ? 1 : -1;
-  const int side = order_.compare(a.face, b.face, low_, y_);
-  return side != 0 ? side : order_.compare(a.face, b.face, high_, y_);
+  const int side = order_->compare(a.face, b.face, low_, y_);
+  return side != 0 ? side : order_->compare(a.face, b.face, high_, y_);
 }
 
 /// Whether a layer lies in one plane with the one before it or after it.
@@ -158,7 +160,7 @@ void SolidSweep::insert(Index face) {
 /// where that is not sure.
 double SolidSweep::before_until(const Layer& near, const Layer& far) const {
   const double slope = near.slope - far.slope;
-  const double reach = std::max(table_.columns, std::fabs(low_));
+  const double reach = std::max(reach_, std::fabs(low_));
   const double error =
       (near.slope_error + far.slope_error) * reach + (near.constant_error + far.constant_error);
   const double lead =
@@ -180,9 +182,9 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
     int side = compare_at(near, far, high_, sharp);
     if (side > 0) near.before = far.face, near.before_until = before_until(near, far);
     if (side > 0 || (side == 0 && sharp)) continue;
-    if (side == 0) side = order_.compare(near.face, far.face, high_, y_);
+    if (side == 0) side = order_->compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;
-    const double x = order_.crossing(near.face, far.face, y_);
+    const double x = order_->crossing(near.face, far.face, y_);
     if (std::isnan(x)) continue;
     const double at = std::clamp(x, from, high_);
     if (!next || at < next->x) next = {at, i};
@@ -264,7 +266,7 @@ Index SolidSweep::choose(std::size_t first, std::size_t end) {
         enters == state_->in(layer.operand))
       candidates_.push_back(layer.face);
   }
-  const Canonical& c = table_.canonical;
+  const Canonical& c = canonical_;
   std::sort(candidates_.begin(), candidates_.end(),
             [&](Index f, Index g) { return wins_tie(c, f, g); });
   for (const Index face : candidates_)

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/visibility/face_order.h"
+#include "core/visibility/layer_order.h"
 #include "core/visibility/solid_expression.h"
 #include "core/visibility/span_split.h"
 
@@ -19,10 +19,12 @@ namespace overstrike {
 /// Goes over one level after the other. One a thread.
 class SolidSweep {
  public:
-  SolidSweep(const FrontTable& table, const FaceOrder& order) : table_(table), order_(order) {}
+  /// Of `canonical` are the faces.
+  explicit SolidSweep(const Canonical& canonical) : canonical_(canonical) {}
 
-  /// Goes to the left of all edges of a solid's operands on the level.
-  void begin(const SolidExpression& expression, double y);
+  /// Goes to the left of all edges of a solid's operands on the level, on which it is not asked
+  /// farther than `reach` from the grid's origin. The order must outlive what is asked.
+  void begin(const SolidExpression& expression, const LayerOrder& order, double y, double reach);
   /// Passes an edge between two faces (the second may be kNone) from left to right.
   void pass(const std::array<Index, 2>& faces);
   /// Appends what is seen from where edges were passed last to where the next one is. The face of
@@ -63,12 +65,13 @@ class SolidSweep {
   Index choose(std::size_t first, std::size_t end);
   bool needed(Index operand, std::span<const Index> changed);
 
-  const FrontTable& table_;
-  const FaceOrder& order_;
+  const Canonical& canonical_;
+  const LayerOrder* order_ = nullptr;
   const SolidExpression* expression_ = nullptr;
   std::optional<SolidExpression::State> state_;
-  double y_ = 0, low_ = 0, high_ = 0;  ///< within the span in hand
-  std::vector<Layer> layers_;          ///< from near to far
+  double y_ = 0, reach_ = 0;
+  double low_ = 0, high_ = 0;  ///< within the span in hand
+  std::vector<Layer> layers_;  ///< from near to far
   std::vector<std::array<Index, 2>> passed_;
   std::vector<Index> entering_;
   // What is seen, as long as nothing changes among the first `decided_` layers, which decide it.

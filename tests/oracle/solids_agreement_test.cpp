@@ -27,10 +27,18 @@ class TreeMaker {
     scene.camera.from = {static_cast<double>(below(72)) * 5 + 1,
                          static_cast<double>(below(17)) * 10 - 80};
     if (below(3) == 0) look_from_within(scene.camera);
+    if (below(3) != 0) light(scene);
     return scene;
   }
 
  private:
+  /// From above, now and then along faces; often with a ground, and a body that stands for itself.
+  void light(Scene& scene) {
+    scene.light = Direction{static_cast<double>(below(24)) * 15 + (below(4) == 0 ? 0 : 4),
+                            static_cast<double>(below(6)) * 15 + (below(4) == 0 ? 0 : 7)};
+    if (below(2) == 0) scene.ground_z = lattice() - 2;
+    if (below(2) == 0) scene.bodies.push_back(body());
+  }
   /// Near clipping, often within the solid.
   void look_from_within(Camera& camera) {
     camera.eye = Vec3(lattice() + 0.5, lattice() + 0.3, lattice() + 0.7);
