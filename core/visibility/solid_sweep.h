@@ -25,6 +25,8 @@ class SolidSweep {
   /// Goes to the left of all edges of a solid's operands on the level, on which it is not asked
   /// farther than `reach` from the grid's origin. The order must outlive what is asked.
   void begin(const SolidExpression& expression, const LayerOrder& order, double y, double reach);
+  /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
+  void end_at_layer();
   /// Passes an edge between two faces (the second may be kNone) from left to right.
   void pass(const std::array<Index, 2>& faces);
   /// Appends what is seen from where edges were passed last to where the next one is. The face of
@@ -52,6 +54,7 @@ class SolidSweep {
   void settle(double low, double high);
   void replace(std::size_t at, Index face);
   void toggle(Index face);
+  void toggle_at_end(Index face);
   void insert(Index face);
   void move_into_order(std::size_t at);
   int compare(const Layer& a, const Layer& b) const;
@@ -62,7 +65,8 @@ class SolidSweep {
   bool ties(std::size_t at) const;
   Index seen();
   Index find_seen();
-  Index choose(std::size_t first, std::size_t end);
+  Index enter(std::span<const Layer> group);
+  Index choose(std::span<const Layer> group);
   bool needed(Index operand, std::span<const Index> changed);
 
   const Canonical& canonical_;
@@ -72,6 +76,8 @@ class SolidSweep {
   double y_ = 0, reach_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
+  bool ends_ = false;          ///< one of them is kEnd
+  std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it
   std::vector<std::array<Index, 2>> passed_;
   std::vector<Index> entering_;
   // What is seen, as long as nothing changes among the first `decided_` layers, which decide it.
