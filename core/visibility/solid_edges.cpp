@@ -53,8 +53,7 @@ class Surface {
   Beside at(int side, double t) const {
     for (const SolidSight::Part& part : parts_)
       if (part.side == side && part.over.first <= t && t < part.over.second)
-        return part.hides ? Beside{kNone, true}
-                          : Beside{canonical_.faces[part.face].plane, false};
+        return part.hides ? Beside{kNone, true} : Beside{canonical_.faces[part.face].plane, false};
     return {};
   }
 
@@ -78,8 +77,8 @@ std::vector<SurfacePart> edges_of(const Surface& surface, const SightLine& line,
   surface.along(sliver, [&](const Interval& over, const Beside& right, const Beside& left) {
     const std::optional<StrokeKind> kind = kind_of(line, right, left);
     if (!kind) return;
-    const bool goes_on = !result.empty() && result.back().kind == *kind &&
-                         result.back().over.second == over.first;
+    const bool goes_on =
+        !result.empty() && result.back().kind == *kind && result.back().over.second == over.first;
     if (goes_on)
       result.back().over.second = over.second;
     else

@@ -47,11 +47,10 @@ class SolidSight::Order final : public LayerOrder {
 
  private:
   std::size_t number_of(Index face) const {
-    return static_cast<std::size_t>(std::partition_point(faces_.begin(), faces_.end(),
-                                                         [&](const Face& f) {
-                                                           return f.face < face;
-                                                         }) -
-                                    faces_.begin());
+    return static_cast<std::size_t>(
+        std::partition_point(faces_.begin(), faces_.end(),
+                             [&](const Face& f) { return f.face < face; }) -
+        faces_.begin());
   }
 
   const ProjectedScene& scene_;

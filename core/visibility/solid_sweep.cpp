@@ -23,8 +23,15 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
 
 void SolidSweep::end_at_layer() {
   const DepthPlane& d = order_->depth_of(LayerOrder::kEnd);
-  Layer end{LayerOrder::kEnd, LayerOrder::kEnd, 0, 0, d.a, d.b * y_ + d.c, d.ea,
-            d.eb * std::fabs(y_) + d.ec, false};
+  Layer end{LayerOrder::kEnd,
+            LayerOrder::kEnd,
+            0,
+            0,
+            d.a,
+            d.b * y_ + d.c,
+            d.ea,
+            d.eb * std::fabs(y_) + d.ec,
+            false};
   layers_.push_back(end);
   ends_ = true;
 }
