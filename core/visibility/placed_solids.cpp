@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/visibility/equal_shapes.h"
+
 namespace overstrike {
 namespace {
 
@@ -47,13 +49,13 @@ void refuse_open(const Body& body, const PreparedShape& shape) {
 
 /// What makes two operands the same set, drawn the same.
 using Key = std::tuple<const PreparedShape*, bool, std::array<double, 12>, double, Shading, int>;
-Key key_of(const PlacedShape& placed, const Body& body) {
+Key key_of(const PlacedShape& placed, const PreparedShape* shape, const Body& body) {
   const Affine& a = body.placement;
   std::array<double, 12> place;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) place[static_cast<std::size_t>(3 * i + j)] = a.linear[i][j];
   for (int j = 0; j < 3; ++j) place[static_cast<std::size_t>(9 + j)] = a.offset[j];
-  return {placed.shape, placed.flattened, place, body.density_factor, body.shading, body.pen};
+  return {shape, placed.flattened, place, body.density_factor, body.shading, body.pen};
 }
 
 }  // namespace
@@ -74,14 +76,15 @@ std::vector<PlacedShape> with_solids(const Scene& scene, const PlacedShapes& pla
   std::vector<PlacedShape> bodies;
   std::vector<Index> operands(scene.solids.size(), 0);
   std::map<std::pair<Index, Key>, Index> known;
+  EqualShapes shapes;
   for (const PlacedShape& one : placed.all()) {
     const Leaf& leaf = leaf_of[one.source];
     Membership member{leaf.solid, 0};
     if (leaf.solid != kNone) {
       const Body& body = placed.body(one);
       refuse_open(body, *one.shape);
-      const auto [at, is_new] =
-          known.try_emplace({leaf.solid, key_of(one, body)}, operands[leaf.solid]);
+      const auto [at, is_new] = known.try_emplace(
+          {leaf.solid, key_of(one, shapes.first_of(*one.shape), body)}, operands[leaf.solid]);
       operand_of[leaf.solid][leaf.number] = member.operand = at->second;
       if (!is_new) continue;
       ++operands[leaf.solid];

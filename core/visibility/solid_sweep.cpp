@@ -14,6 +14,7 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
     expression_ = &expression;
     state_.emplace(expression);
     winding_.assign(expression.operands(), 0);
+    turned_.assign(expression.operands(), 0);
   }
   order_ = &order;
   y_ = y, reach_ = reach;
@@ -49,9 +50,7 @@ SolidSweep::Layer SolidSweep::layer_of(Index face) const {
           d.b * y_ + d.c,
           d.ea,
           d.eb * std::fabs(y_) + d.ec,
-          true,
-          kNone,
-          0};
+          true};
 }
 
 /// Sign of how much nearer a is at x, or 0 where doubles cannot tell. Then it is `sharp` when they
@@ -82,6 +81,16 @@ bool SolidSweep::ties(std::size_t at) const {
   return (at > 0 && same(at - 1)) || (at + 1 < layers_.size() && same(at));
 }
 
+/// Whether doubles can tell at the span's beginning that a layer is behind the one before it, and
+/// before the one after it.
+bool SolidSweep::stands_clear(std::size_t at) const {
+  bool sharp = false;
+  const auto in_order = [&](std::size_t i) {
+    return compare_at(layers_[i], layers_[i + 1], low_, sharp) > 0;
+  };
+  return (at == 0 || in_order(at - 1)) && (at + 1 == layers_.size() || in_order(at));
+}
+
 /// What is seen is as it was while this is behind what decided it; but one that has come next to
 /// another of its plane decides with that.
 void SolidSweep::changed_at(std::size_t at) {
@@ -95,8 +104,11 @@ void SolidSweep::replace(std::size_t at, Index face) {
   const bool tied = ties(at);
   layers_[at] = layer_of(face);
   const bool ties_now = ties(at);
-  // Elsewhere it is where the other was, or crosses its neighbours here.
-  layers_[at].fresh = tied || ties_now;
+  layers_[at].replaced_at = settlings_;
+  // Through a face that is seen edge-on, from one of its sides to the other, depth leaps. Elsewhere
+  // it is where the other was, or crosses its neighbours here; but stored planes do not meet in
+  // their edge exactly, which counts where a neighbour is as near as that.
+  layers_[at].fresh = tied || ties_now || before.replaced_at == settlings_ || !stands_clear(at);
   const bool alike = layers_[at].enters == before.enters && !tied && !ties_now;
   if (!alike) return changed_at(at);
   if (known_ && seen_ == before.face) seen_ = face;
@@ -131,7 +143,7 @@ void SolidSweep::toggle_at_end(Index face) {
 /// Passes the edges since the last span. A face that takes the place of its neighbour in an edge is
 /// as near as that was; where it was among faces of one plane it may not be.
 void SolidSweep::settle(double low, double high) {
-  low_ = low, high_ = high;
+  low_ = low, high_ = high, ++settlings_;
   entering_.clear();
   bool any_fresh = false;
   for (const auto& [f, g] : passed_) {
@@ -195,6 +207,15 @@ double SolidSweep::before_until(const Layer& near, const Layer& far) const {
   return slope < 0 ? high_ + 0.999 * lead / -slope : HUGE_VAL;
 }
 
+/// Where two layers that are the wrong way round at the span's end have become so. They may have
+/// been all along: three layers that cross within what is asked for are put in order pair by pair.
+double SolidSweep::crossing(const Layer& near, const Layer& far, double from) const {
+  const double x = order_->crossing(near.face, far.face, y_);
+  const bool within = x < high_;
+  if (!within && order_->compare(near.face, far.face, from, y_) < 0) return from;
+  return within ? std::max(x, from) : high_;
+}
+
 /// The first place right of `from` where two neighbours in depth are at one depth and go on the
 /// other way round. What may cross at the very end may as well do so in the next span.
 std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
@@ -210,9 +231,7 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
     if (side > 0 || (side == 0 && sharp)) continue;
     if (side == 0) side = order_->compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;
-    const double x = order_->crossing(near.face, far.face, y_);
-    if (std::isnan(x)) continue;
-    const double at = std::clamp(x, from, high_);
+    const double at = crossing(near, far, from);
     if (!next || at < next->x) next = {at, i};
   }
   return next;
@@ -304,12 +323,13 @@ Index SolidSweep::choose(std::span<const Layer> group) {
     if (times % 2 != 0 && (i == 0 || changed_[i] != changed_[i - 1]))
       operands_.push_back(changed_[i]);
   }
+  for (const Layer& layer : group) turned_[layer.operand] += layer.enters;
   for (const Layer& layer : group) {
-    const bool enters = layer.enters > 0;
     if (std::binary_search(operands_.begin(), operands_.end(), layer.operand) &&
-        enters == state_->in(layer.operand))
+        turned_[layer.operand] * layer.enters > 0)
       candidates_.push_back(layer.face);
   }
+  for (const Layer& layer : group) turned_[layer.operand] = 0;
   const Canonical& c = canonical_;
   std::sort(candidates_.begin(), candidates_.end(),
             [&](Index f, Index g) { return wins_tie(c, f, g); });

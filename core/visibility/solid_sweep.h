@@ -7,6 +7,7 @@
 // crossing (TK 4.2.2). Along depth each operand has a winding number, and the expression of the
 // solid follows it: the first place inside is where the solid is seen.
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -40,7 +41,8 @@ class SolidSweep {
     Index plane, operand;
     int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
     double slope, constant, slope_error, constant_error;
-    bool fresh;  ///< it took the place of another in the span in hand
+    bool fresh;  ///< it took the place of another in the span in hand, and may be out of order
+    std::uint64_t replaced_at = 0;  ///< number of the settling in which it took another's place
     // It stays before that face up to there; kept by next_crossing().
     Index before = kNone;
     double before_until = 0;
@@ -60,9 +62,11 @@ class SolidSweep {
   int compare(const Layer& a, const Layer& b) const;
   int compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const;
   std::optional<Crossing> next_crossing(double from);
+  double crossing(const Layer& near, const Layer& far, double from) const;
   double before_until(const Layer& near, const Layer& far) const;
   void changed_at(std::size_t at);
   bool ties(std::size_t at) const;
+  bool stands_clear(std::size_t at) const;
   Index seen();
   Index find_seen();
   Index enter(std::span<const Layer> group);
@@ -74,6 +78,7 @@ class SolidSweep {
   const SolidExpression* expression_ = nullptr;
   std::optional<SolidExpression::State> state_;
   double y_ = 0, reach_ = 0;
+  std::uint64_t settlings_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
   bool ends_ = false;          ///< one of them is kEnd
@@ -85,6 +90,7 @@ class SolidSweep {
   Index seen_ = kNone;
   std::size_t decided_ = 0;
   std::vector<int> winding_;  ///< per operand; 0 between two questions
+  std::vector<int> turned_;   ///< of that by the faces of one plane; 0 between two questions
   std::vector<Index> entered_, changed_, operands_, candidates_, others_;
   std::vector<char> made_;  ///< per one of others_: whether its change is made
 };

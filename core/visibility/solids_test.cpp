@@ -1,10 +1,13 @@
 // Laws of Boolean solids that need no oracle: both sides draw the same.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "core/drawing.h"
+#include "core/visibility/canonical.h"
 #include "core/visibility/test_scenes.h"
+#include "core/visibility/view.h"
 
 namespace overstrike {
 namespace {
@@ -122,6 +125,24 @@ TEST(Solids, AHoleThatEndsFlushWithBothFacesIsOpen) {
     EXPECT_DOUBLE_EQ(row.runs[1].x0, 26);
     EXPECT_DOUBLE_EQ(row.runs[1].x1, 30);
   });
+}
+
+/// A file may write a mesh out once for every place in which it stands in a tree.
+TEST(Solids, EqualMeshesInOnePlaceAreOneOperand) {
+  Mesh tetrahedron;
+  tetrahedron.polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    tetrahedron.polyhedron.add_face(face);
+  Mesh larger = tetrahedron;
+  larger.polyhedron.vertices[3].z = 2;
+  Scene scene;
+  for (const Mesh& mesh : {tetrahedron, tetrahedron, larger}) testing::add(scene, mesh);
+  const auto of = [](std::uint32_t body) { return operand_tree(body); };
+  scene.solids.push_back({tree_of(kUnite, {of(0), of(1), of(2)}), {}, {}});
+  std::vector<Diagnostic> warnings;
+  const Canonical canonical = canonicalize(scene, make_view(scene, kGrid), 1, warnings);
+  EXPECT_EQ(canonical.bodies.size(), 2u);
+  EXPECT_EQ(canonical.solids[0]->expression.operands(), 2u);
 }
 
 TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {

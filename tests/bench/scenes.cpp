@@ -131,12 +131,12 @@ Scene lit_scene_c(int level) {
   return scene;
 }
 
-Scene scene_b(int sides) {
+Scene scene_b(int sides, double half_height) {
   Scene scene;
   scene.camera = parallel_camera(Vec3(0.6, -1, 0.8), Vec3(0, 0, 1), 4.4);
   for (int i = 0; i < 8; ++i) {
     const double angle = std::numbers::pi * i / 4;
-    add(scene, prism(sides, 0.45, 0.1 * i, -1.2, 1.2),
+    add(scene, prism(sides, 0.45, 0.1 * i, -half_height, half_height),
         placed(1, Vec3(std::cos(angle), std::sin(angle), 0)));
   }
   add(scene, prism(sides, 1, 0, -1, 1), Affine{});

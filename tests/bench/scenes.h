@@ -17,10 +17,9 @@ Scene lit_scene_c(int level);
 
 /// Scene B: the union of nine right prisms with k sides, eight in a ring about a ninth, each
 /// passing through its neighbours. Prism i < 8: centre (cos(pi i / 4), sin(pi i / 4)), radius 0.45,
-/// z in
-/// [-1.2, 1.2], turned by 0.1 i; prism 8: centre 0, radius 1, z in [-1, 1]. Seen along
-/// (-0.6, 1, -0.8) in a parallel view of [-2.2, 2.2]^2.
-Scene scene_b(int sides);
+/// z in [-h, h], h 1.2 unless told otherwise, turned by 0.1 i; prism 8: centre 0, radius 1, z in
+/// [-1, 1]. Seen along (-0.6, 1, -0.8) in a parallel view of [-2.2, 2.2]^2.
+Scene scene_b(int sides, double half_height = 1.2);
 
 enum class Boxes { apart, anywhere };
 /// 100 000 copies of one cube of side 0.02, that is about 3 of 512 columns, by Random(4242) in

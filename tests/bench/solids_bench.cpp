@@ -1,174 +1,137 @@
-// Boolean solids: TK's nine prisms, nested differences and plates with holes, one thread, from the
-// canonical input to runs. `wrong_ppm`: of random points on the lines, those at which the oracle
-// sees something else, but for points at a true edge; not of nested differences, which share so
-// many planes that its definition of what is shown takes forever.
-#include <benchmark/benchmark.h>
-
+// Boolean solids, one thread, from the canonical input to runs, beside a ray caster in the same run
+// (embree_solids.h; its build is in its time). `wrong_ppm`: judge.h, but H0 and H1: levels.h.
+// `x_embree`: how many times faster than that. Not judged: nested differences and deep trees, which
+// share so many planes that the oracle's definition of what is shown takes forever.
 #include <cmath>
-#include <functional>
-#include <string>
 
 #include "core/drawing.h"
-#include "tests/bench/scenes.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/random.h"
+#include "tests/bench/contest.h"
+#include "tests/bench/embree_solids.h"
+#include "tests/bench/levels.h"
+#include "tests/bench/solid_scenes.h"
 
 namespace overstrike::bench {
 namespace {
 
-constexpr SetOperation kOperand = SetOperation::operand;
+/// Many faces lie in one plane there; a row of cells takes the oracle a second.
+constexpr int kJudgedRowsOfHoles = 2;
 
-/// Appends a body to the scene and to the tree.
-void add_leaf(Scene& scene, Solid& solid, Body body) {
-  const auto at = static_cast<Index>(solid.nodes.size());
-  solid.nodes.push_back({kOperand, static_cast<Index>(scene.bodies.size()), at + 1});
-  scene.bodies.push_back(std::move(body));
+Line our_line(const Prepared& prepared, const Times& times) {
+  return {times, {{"from_scene_ms", prepared.canonicalize_ms + median(times.cpu)}}};
 }
 
-void end_root(Solid& solid) { solid.nodes[0].end = static_cast<Index>(solid.nodes.size()); }
-
-/// TK 4.8 to 4.11: scene B, its central prism taken from `cut` of the eight others. With none it
-/// belongs to the union.
-Scene nine_prisms(int sides, int cut) {
-  Scene scene = scene_b(sides);
-  const std::vector<Body> prisms = std::move(scene.bodies);
-  scene.bodies.clear();
-  Solid solid;
-  solid.nodes.push_back({SetOperation::unite, 0, 0});
-  for (int i = 0; i < 8; ++i) {
-    if (i < cut) {
-      const auto at = static_cast<Index>(solid.nodes.size());
-      solid.nodes.push_back({SetOperation::subtract, 0, at + 3});
-    }
-    add_leaf(scene, solid, prisms[static_cast<std::size_t>(i)]);
-    if (i < cut) add_leaf(scene, solid, prisms[8]);
-  }
-  if (cut == 0) add_leaf(scene, solid, prisms[8]);
-  end_root(solid);
-  scene.solids.push_back(std::move(solid));
-  return scene;
-}
-
-Body box(const Vec3& low, const Vec3& size) {
-  Body body;
-  body.shape = std::make_shared<Shape>(Box{size});
-  body.placement.offset = low + Vec3(size.x / 2, size.y / 2, 0);
-  return body;
-}
-
-/// A plate of 50 x 50 x 20, from which n differences of a slab and a block are taken. Written as
-/// sums of products they are (n + 1) 2^n terms. Seen along (-1, 1, -1), or from below.
-Scene nested_differences(int n, bool below) {
-  Scene scene;
-  Solid solid;
-  solid.nodes.push_back({SetOperation::subtract, 0, 0});
-  add_leaf(scene, solid, box({0, 0, 0}, {50, 50, 20}));
-  const Body slab = box({0, 0, 0}, {200, 200, 10});
-  Body block = box({0, 0, 0}, {20, 20, 10});
-  for (int i = 0; i < n; ++i) {
-    const auto at = static_cast<Index>(solid.nodes.size());
-    solid.nodes.push_back({SetOperation::subtract, 0, at + 3});
-    add_leaf(scene, solid, slab);
-    block.placement.offset = Vec3(i + 10, 10, 0);
-    add_leaf(scene, solid, block);
-  }
-  end_root(solid);
-  scene.solids.push_back(std::move(solid));
-  const Vec3 middle(25, 25, 10);
-  scene.camera.eye = middle + Vec3(50, -50, below ? -50 : 50);
-  scene.camera.target = middle;
-  scene.camera.parallel = true;
-  return scene;
-}
-
-/// Holes of 16 sides through a plate, a lattice of them.
-Scene holes(int n) {
-  Scene scene;
-  Solid solid;
-  solid.nodes.push_back({SetOperation::subtract, 0, 0});
-  const int columns = static_cast<int>(std::ceil(std::sqrt(n)));
-  add_leaf(scene, solid, box({0, 0, 0}, {1.0 * columns, 1.0 * columns, 1}));
-  Body hole;
-  hole.shape = std::make_shared<Shape>(Frustum{0.35, 0.35, 1, 16});
-  for (int i = 0; i < n; ++i) {
-    hole.placement.offset = Vec3(i % columns + 0.5, i / columns + 0.5, 0);
-    add_leaf(scene, solid, hole);
-  }
-  end_root(solid);
-  scene.solids.push_back(std::move(solid));
-  scene.camera.parallel = true;
-  scene.camera.from = {-50, 50};
-  return scene;
-}
-
-double wrong_ppm(const Prepared& input, const std::vector<std::vector<DensityRun>>& rows) {
-  constexpr int kPoints = 500;
-  const oracle::Oracle oracle(*input.canonical, input.view);
-  oracle::Random random(7);
-  int wrong = 0;
-  for (int i = 0; i < kPoints; ++i) {
-    const auto row = static_cast<std::size_t>(random.below(static_cast<int>(rows.size())));
-    const double x = random.in(0, input.view.grid.columns), y = static_cast<double>(row) + 0.5;
-    Index face = kNone;
-    for (const DensityRun& run : rows[row])
-      if (run.x0 <= x && x < run.x1) face = run.surface;
-    wrong += oracle.at(x, y).face != face && !oracle.near_edge(x, y, oracle::kEdgeRadius);
-  }
-  return 1e6 * wrong / kPoints;
-}
-
-void draw(benchmark::State& state, const std::function<Scene()>& make, int size, bool judged) {
-  const Prepared input = prepare(make(), square_grid(size));
-  DrawOptions options;
-  options.threads = 1;
+/// Nine prisms: the ray caster, the same bodies united (as one solid, and as bodies that stand for
+/// themselves), and what is left when the middle one is taken from `cut` of the others.
+std::vector<Line> against_union(int sides, int cut, int size) {
+  const Grid grid = square_grid(size);
+  const Prepared solid = prepare(nine_prisms(sides, cut), grid);
+  const Prepared united = prepare(nine_prisms(sides, 0), grid);
+  const Prepared loose = prepare(scene_b(sides), grid);
+  EmbreeSolids embree(solid);
   std::size_t runs = 0;
-  std::vector<std::vector<DensityRun>> rows(static_cast<std::size_t>(size));
-  for (auto _ : state) {
-    Drawing drawing(input.canonical, input.view, options);
-    runs = 0;
-    drawing.runs({0, 1, 0.5}, [&](const RunRow& row) { runs += row.runs.size(); });
+  const std::vector<Times> times =
+      interleaved({[&] { embree.build(), embree.trace(); }, [&] { draw_runs(loose, 1); },
+                   [&] { draw_runs(united, 1); }, [&] { runs = draw_runs(solid, 1); }},
+                  kBudgetMs);
+  const Errors errors = judge(solid, {[&](int row) { return embree.row(row); }});
+  Line ours = our_line(solid, times[3]);
+  ours.counters["x_embree"] = ratio(times[0].cpu, times[3].cpu);
+  ours.counters["x_united"] = ratio(times[3].cpu, times[2].cpu);
+  ours.counters["x_loose"] = ratio(times[3].cpu, times[1].cpu);
+  ours.counters["wrong_ppm"] = errors.ours;
+  ours.counters["runs"] = static_cast<double>(runs);
+  return {{times[0], {{"wrong_ppm", errors.peers[0]}}}, {times[1], {}}, {times[2], {}}, ours};
+}
+
+/// The same scene at several sizes: `x_lines` is the time against the first size's, over the ratio
+/// of lines.
+std::vector<Line> growth(const std::vector<int>& sizes) {
+  std::vector<Prepared> prepared;
+  for (const int size : sizes) prepared.push_back(prepare(nine_prisms(32, 8), square_grid(size)));
+  std::vector<Job> jobs;
+  for (const Prepared& p : prepared) jobs.push_back([&p] { draw_runs(p, 1); });
+  const std::vector<Times> times = interleaved(jobs, kBudgetMs);
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    Line line = our_line(prepared[i], times[i]);
+    line.counters["x_lines"] = ratio(times[i].cpu, times[0].cpu) * sizes[0] / sizes[i];
+    lines.push_back(std::move(line));
   }
-  state.counters["runs"] = static_cast<double>(runs);
-  if (!judged) return;
-  Drawing drawing(input.canonical, input.view, options);
-  drawing.runs({0, 1, 0.5}, [&](const RunRow& row) {
-    rows[static_cast<std::size_t>(row.index)].assign(row.runs.begin(), row.runs.end());
-  });
-  state.counters["wrong_ppm"] = wrong_ppm(input, rows);
+  return lines;
 }
 
-void add(const std::string& name, const std::function<Scene()>& make, int size, bool judged) {
-  benchmark::RegisterBenchmark((name + "/" + std::to_string(size)).c_str(),
-                               [=](benchmark::State& state) { draw(state, make, size, judged); })
-      ->Unit(benchmark::kMillisecond);
+/// Wrong pixels of H0 or H1 where they stand, by the oracle's picture of where they were defined.
+std::vector<Line> caps(double half_height, Turned turned, double far) {
+  const Grid grid = square_grid(512);
+  const Scene scene = nine_prisms(32, 8, half_height);
+  const Levels truth = true_levels(prepare(scene, grid));
+  const Prepared there = prepare(moved(scene, turned, far), grid);
+  EmbreeSolids embree(there);
+  const std::vector<Times> times =
+      interleaved({[&] { embree.build(), embree.trace(); }, [&] { draw_runs(there, 1); }}, 0);
+  const Levels theirs = levels_of(there, [&](int row) { return embree.row(row); });
+  Line ours = our_line(there, times[1]);
+  ours.counters["wrong_pixels"] = wrong_pixels(truth, drawn_levels(there));
+  return {{times[0], {{"wrong_pixels", static_cast<double>(wrong_pixels(truth, theirs))}}}, ours};
 }
 
-void add_all() {
+std::vector<Line> alone(const Scene& scene, int judged_rows) {
+  const Prepared prepared = prepare(scene, square_grid(512));
+  std::size_t runs = 0;
+  const std::vector<Times> times = interleaved({[&] { runs = draw_runs(prepared, 1); }}, kBudgetMs);
+  Line line = our_line(prepared, times[0]);
+  line.counters["runs"] = static_cast<double>(runs);
+  if (judged_rows > 0) {
+    const std::vector<int> rows = sampled_rows(prepared.view.grid, judged_rows);
+    line.counters["wrong_ppm"] = wrong_ppm(prepared, rows, runs_of_rows(prepared, rows), 500);
+  }
+  return {line};
+}
+
+void add_alone(const std::string& name, const std::function<Scene()>& make, int judged_rows = 0) {
+  register_lines({name, {"overstrike"}, [=] { return alone(make(), judged_rows); }});
+}
+
+void register_all() {
+  const std::vector<std::string> methods = {"embree", "loose", "united", "overstrike"};
   for (const int sides : {10, 20, 32, 50, 100})
     for (const int cut : {0, 4, 8})
-      add(
-          "nine_prisms/sides:" + std::to_string(sides) + "/cut:" + std::to_string(cut),
-          [=] { return nine_prisms(sides, cut); }, 512, true);
+      register_lines(
+          {"nine_prisms/sides:" + std::to_string(sides) + "/cut:" + std::to_string(cut) + "/512",
+           methods, [=] { return against_union(sides, cut, 512); }});
   for (const int size : {128, 256, 1024, 2048, 4096})
-    add(
-        "nine_prisms/sides:32/cut:8", [] { return nine_prisms(32, 8); }, size, true);
+    register_lines({"nine_prisms/sides:32/cut:8/" + std::to_string(size), methods,
+                    [=] { return against_union(32, 8, size); }});
+  const std::vector<int> sizes = {128, 256, 512, 1024, 2048, 4096};
+  std::vector<std::string> names;
+  for (const int size : sizes) names.push_back(std::to_string(size));
+  register_lines({"growth/sides:32/cut:8", names, [=] { return growth(sizes); }});
+  for (const double half_height : {1.2, 1.0})
+    for (const Turned turned : {Turned::no, Turned::placed, Turned::baked})
+      for (const double far : {0.0, 1e2, 1e4, 1e6, 1e8}) {
+        constexpr const char* kTurned[] = {"axes", "placed", "baked"};
+        register_lines({std::string(half_height > 1 ? "H0/" : "H1/") +
+                            kTurned[static_cast<int>(turned)] + "/" +
+                            std::to_string(static_cast<int>(far)),
+                        {"embree", "overstrike"},
+                        [=] { return caps(half_height, turned, far); }});
+      }
   for (const int n : {10, 200})
     for (const bool below : {false, true})
-      add(
-          "nested:" + std::to_string(n) + (below ? "/below" : "/above"),
-          [=] { return nested_differences(n, below); }, 512, false);
-  for (const int n : {1000, 10'000})
-    add(
-        "holes:" + std::to_string(n), [=] { return holes(n); }, 512, n < 10'000);
+      add_alone("nested:" + std::to_string(n) + (below ? "/below" : "/above"),
+                [=] { return nested_differences(n, below); });
+  add_alone("left_deep:200", [] { return left_deep(200); });
+  add_alone("right_deep:200", [] { return right_deep(200); });
+  add_alone("cups:100000", [] { return cups(100'000); });
+  add_alone(
+      "holes:1000", [] { return holes(1000); }, kJudgedRowsOfHoles);
+  add_alone("holes:10000", [] { return holes(10'000); });
 }
 
 }  // namespace
 }  // namespace overstrike::bench
 
 int main(int argc, char** argv) {
-  overstrike::bench::add_all();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  overstrike::bench::register_all();
+  return overstrike::bench::run_lines(argc, argv);
 }

@@ -291,21 +291,21 @@ struct Oracle::Impl {
       winding[in.membership(in.faces[m->face].body).operand] -= faces[m->face].eye_side;
     const auto is_in = [&](Index operand) { return winding[operand] != 0; };
     for (std::size_t first = 0, end = 0; first < met.size(); first = end) {
-      std::map<Index, bool> before;
+      std::map<Index, int> before;
       for (end = first; end < met.size() && compare(*met[first], *met[end]) == 0; ++end) {
         const Index operand = in.membership(in.faces[met[end]->face].body).operand;
-        before.try_emplace(operand, is_in(operand));
+        before.try_emplace(operand, winding[operand]);
         winding[operand] += faces[met[end]->face].eye_side;
       }
       if (!holds(solid.nodes, 0, is_in)) continue;
       std::vector<Index> changed;
-      for (const auto& [operand, was_in] : before)
-        if (was_in != is_in(operand)) changed.push_back(operand);
+      for (const auto& [operand, was] : before)
+        if ((was != 0) != is_in(operand)) changed.push_back(operand);
       Index best = kNone;
       for (std::size_t i = first; i < end; ++i) {
         const Index face = met[i]->face;
         const Index operand = in.membership(in.faces[face].body).operand;
-        const bool turns_it = is_in(operand) == (faces[face].eye_side > 0) &&
+        const bool turns_it = (winding[operand] - before[operand]) * faces[face].eye_side > 0 &&
                               std::find(changed.begin(), changed.end(), operand) != changed.end();
         if (turns_it && (best == kNone || precedes(face, best)) &&
             matters(solid.nodes, operand, changed, is_in))

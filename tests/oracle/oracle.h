@@ -29,8 +29,9 @@
 //  Solids: a point is in an operand when its winding number along the line of sight is not 0, and
 //  in the solid when the tree says so. A solid is seen where it is entered first; faces of one
 //  plane are passed together. What is seen is a face that is passed there, whose operand is entered
-//  or left and matters: with some of the changes made that are made there, the point is outside,
-//  and inside with its own besides. Among those law 5 decides.
+//  or left the way it faces (parts of a mesh that are inside out are entered by faces that look
+//  away) and matters: with some of the changes made that are made there, the point is outside, and
+//  inside with its own besides. Among those law 5 decides.
 //  6. With light L (towards it), a face with dot(seen-side normal, L) <= 0 is shade. Otherwise the
 //     hit point Q on its stored plane is in shadow when the ray Q + t L, t > 0, meets a face of
 //     another plane: the outline is taken along L, t = (offset - n.Q) / (n.L) from the stored

@@ -1,11 +1,15 @@
 // Core on tiny scenes: it draws, and the laws of core/picture.h, docs/visibility.md and the oracle
 // hold.
 #include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "tests/fuzz/core/drawn.h"
 #include "tests/fuzz/core/judge.h"
 #include "tests/fuzz/core/tiny_scene.h"
+#include "tests/fuzz/core/tiny_solids.h"
 
 namespace overstrike::fuzz {
 namespace {
@@ -38,21 +42,55 @@ void expect_threads_agree(const Prepared& prepared) {
   expect(draw_cells(one) == draw_cells(two), "two threads draw the cells that one draws");
 }
 
+std::string text_of(const DrawnLine& line) {
+  std::string text;
+  char number[64];
+  for (const DensityRun& run : line.runs) {
+    std::snprintf(number, sizeof number, " %.17g..%.17g %.3g", run.x0, run.x1, run.density0);
+    text += number;
+  }
+  return text;
+}
+
 /// But for the numbers of faces and bodies.
 bool same_ink(const DensityRun& a, const DensityRun& b) {
   return a.x0 == b.x0 && a.x1 == b.x1 && a.density0 == b.density0 && a.density1 == b.density1 &&
          a.kind == b.kind;
 }
 
+/// Runs of one ink that touch made one: of two solids with one surface either may show it, the one
+/// whose faces come first where both have it.
+std::vector<DensityRun> joined(const DrawnLine& line) {
+  std::vector<DensityRun> runs;
+  for (const DensityRun& run : line.runs) {
+    const bool goes_on = !runs.empty() && runs.back().x1 == run.x0 &&
+                         run.kind == runs.back().kind && run.density0 == run.density1 &&
+                         run.density0 == runs.back().density0 &&
+                         run.density0 == runs.back().density1;
+    if (goes_on) {
+      runs.back().x1 = run.x1;
+    } else {
+      runs.push_back(run);
+    }
+  }
+  return runs;
+}
+
+/// Bodies thinner than rounding, and slivers no wider than an end may be off, may differ, but not
+/// be wrong.
 void expect_order_does_not_count(const Scene& scene, const std::vector<DrawnLine>& rows) {
-  Scene turned = scene;
-  std::reverse(turned.bodies.begin(), turned.bodies.end());
-  Drawing drawing = Prepared(turned).drawing();
+  const Prepared turned(in_opposite_order(scene));
+  const Judge judge(*turned.canonical, turned.view);
+  Drawing drawing = turned.drawing();
   const auto others = draw_lines(drawing, kFamilies[0]);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    expect(std::equal(rows[i].runs.begin(), rows[i].runs.end(), others[i].runs.begin(),
-                      others[i].runs.end(), same_ink),
-           "the order of the bodies does not count: row " + std::to_string(i));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto a = joined(rows[i]), b = joined(others[i]);
+    if (std::equal(a.begin(), a.end(), b.begin(), b.end(), same_ink)) continue;
+    if (scene.solids.empty())
+      broken("the order of the bodies does not count: row " + std::to_string(i) + ":" +
+             text_of(rows[i]) + " against" + text_of(others[i]));
+    judge.judge(others[i]);
+  }
 }
 
 void expect_method_agrees(const Scene& scene, const Judge& judge) {
@@ -77,7 +115,7 @@ void try_all(const TinyScene& tiny) {
   for (const ScanFamily& family : std::span(kFamilies).subspan(1))
     for (const DrawnLine& line : draw_lines(drawing, family)) judge.judge(line);
   draw_cells(drawing);
-  draw_strokes(drawing, tiny.scene.bodies.size());
+  if (tiny.scene.solids.empty()) draw_strokes(drawing, tiny.scene.bodies.size());
   expect_jump_equals_step(drawing, rows);
   if (tiny.asked.threads) expect_threads_agree(prepared);
   if (tiny.asked.order) expect_order_does_not_count(tiny.scene, rows);

@@ -5,6 +5,7 @@
 
 #include "core/geometry/tessellate.h"
 #include "core/geometry/trig.h"
+#include "tests/fuzz/core/tiny_solids.h"
 
 namespace overstrike::fuzz {
 namespace {
@@ -173,6 +174,7 @@ TinyScene tiny_scene(ByteSource bytes) {
   if (bytes.below(3) != 0) scene.ground_z = coordinate(bytes);
   if (bytes.below(4) == 3) scene.law.k = 0.5, scene.law.hmax = 0.75;
   for (unsigned i = 0; i < bodies; ++i) scene.bodies.push_back(body(bytes));
+  add_solids(bytes, scene);
   return made;
 }
 

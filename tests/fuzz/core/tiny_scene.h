@@ -21,8 +21,8 @@ struct TinyScene {
   Asked asked;
 };
 
-/// Any bytes are a scene of one to four bodies, none of which validate() refuses. Bytes that are
-/// missing are 0.
+/// Any bytes are a scene of one to four bodies, none of which validate() refuses, and perhaps
+/// solids over them. Bytes that are missing are 0.
 TinyScene tiny_scene(ByteSource bytes);
 
 /// The scene as a scene file, with all digits.

@@ -53,14 +53,29 @@ struct ShapeText {
   }
 };
 
-std::string text(const Body& b) {
+/// What follows the dash and what `margin` spaces stand before.
+std::string text(const Body& b, std::size_t margin) {
   const Mat3& m = b.placement.linear;
   const bool mirrored = glm::determinant(m) < 0;
   const double turn = std::atan2(-m[1].x, m[1].y) * (180 / 3.14159265358979323846);
-  return fmt::format("  - {}\n{}    rotate: {:.0f}\n    at: {}\n    density: {}\n    shading: {}\n",
-                     std::visit(ShapeText{}, *b.shape), mirrored ? "    mirror: x\n" : "", turn,
-                     text(b.placement.offset), b.density_factor,
+  const std::string space(margin, ' ');
+  return fmt::format("{}\n{}{}rotate: {:.0f}\n{}at: {}\n{}density: {}\n{}shading: {}\n",
+                     std::visit(ShapeText{}, *b.shape), mirrored ? space + "mirror: x\n" : "",
+                     space, turn, space, text(b.placement.offset), space, b.density_factor, space,
                      b.shading == Shading::smooth ? "smooth" : "flat");
+}
+
+/// The node at `at`, as an entry of a list that stands `margin` spaces from the left.
+std::string entry(const Scene& scene, const Solid& solid, std::uint32_t at, std::size_t margin) {
+  constexpr const char* kNames[] = {"", "union", "difference", "intersection"};
+  const SolidNode& node = solid.nodes[at];
+  const std::string dash = std::string(margin, ' ') + "- ";
+  if (node.operation == SetOperation::operand)
+    return dash + text(scene.bodies[node.body], margin + 2);
+  std::string made = dash + kNames[static_cast<int>(node.operation)] + ":\n";
+  for (std::uint32_t i = at + 1; i < node.end; i = solid.nodes[i].end)
+    made += entry(scene, solid, i, margin + 4);
+  return made;
 }
 
 std::string text(const Camera& c) {
@@ -83,7 +98,14 @@ std::string to_yaml(const Scene& scene) {
   if (scene.light) made += "light: " + text(*scene.light) + "\n";
   if (scene.ground_z) made += fmt::format("ground: {}\n", *scene.ground_z);
   made += fmt::format("density: {{k: {}, hmax: {}}}\nbodies:\n", scene.law.k, scene.law.hmax);
-  for (const Body& b : scene.bodies) made += text(b);
+  std::vector<bool> alone(scene.bodies.size(), true);
+  for (const Solid& solid : scene.solids) {
+    made += entry(scene, solid, 0, 2);
+    for (const SolidNode& node : solid.nodes)
+      if (node.operation == SetOperation::operand) alone[node.body] = false;
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (alone[i]) made += "  - " + text(scene.bodies[i], 4);
   return made;
 }
 
