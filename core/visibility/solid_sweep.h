@@ -12,6 +12,7 @@
 
 #include "core/visibility/face_order.h"
 #include "core/visibility/solid_expression.h"
+#include "core/visibility/solid_options.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
@@ -19,7 +20,11 @@ namespace overstrike {
 /// Goes over one level after the other. One a thread.
 class SolidSweep {
  public:
-  SolidSweep(const FrontTable& table, const FaceOrder& order) : table_(table), order_(order) {}
+  SolidSweep(const FrontTable& table, const FaceOrder& order, const SolidOptions& options = {})
+      : table_(table), order_(order), options_(options) {}
+  ~SolidSweep();
+  SolidSweep(const SolidSweep&) = delete;
+  SolidSweep& operator=(const SolidSweep&) = delete;
 
   /// Goes to the left of all edges of a solid's operands on the level.
   void begin(const SolidExpression& expression, double y);
@@ -46,8 +51,10 @@ class SolidSweep {
     double x;
     std::size_t first;  ///< of the two layers
   };
+  void count_work();
   Layer layer_of(Index face) const;
   void settle(double low, double high);
+  void forget_last_span();
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void insert(Index face);
@@ -56,6 +63,7 @@ class SolidSweep {
   int compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const;
   std::optional<Crossing> next_crossing(double from);
   double before_until(const Layer& near, const Layer& far) const;
+  void exchange(std::size_t first);
   void changed_at(std::size_t at);
   bool ties(std::size_t at) const;
   Index seen();
@@ -65,6 +73,8 @@ class SolidSweep {
 
   const FrontTable& table_;
   const FaceOrder& order_;
+  SolidOptions options_;
+  SolidCounts counts_;
   const SolidExpression* expression_ = nullptr;
   std::optional<SolidExpression::State> state_;
   double y_ = 0, low_ = 0, high_ = 0;  ///< within the span in hand
