@@ -167,7 +167,7 @@ struct Drawing::Impl {
       : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
     Stopwatch eye_watch;
     Canonical canonical = canonicalize(scene, view, options.tolerance, warnings);
-    canonical.solids = solids_in_form(canonical, options.boolean, options.translucent > 0);
+    canonical.solids = solids_in_form(canonical, options.boolean, options.translucent);
     whole = std::make_shared<const Canonical>(std::move(canonical));
     timings.eye_ms += eye_watch.ms();
     check_solids(scene.solids.empty() ? Place{} : scene.solids.front().place);
@@ -187,7 +187,7 @@ struct Drawing::Impl {
 
   /// The canonical input stays as it is where they need no change.
   void take_solids_in_form() {
-    auto solids = solids_in_form(*whole, options.boolean, options.translucent > 0);
+    auto solids = solids_in_form(*whole, options.boolean, options.translucent);
     if (solids == whole->solids) return;
     Canonical changed = *whole;
     changed.solids = std::move(solids);
@@ -265,7 +265,7 @@ struct Drawing::Impl {
 
   const Canonical& seen() const { return clipped ? cut : *whole; }
 
-  SolidOptions solid_options() { return {options.coherence, options.translucent, &tally}; }
+  SolidOptions solid_options() { return {options.coherence, &tally}; }
 
   double density_tolerance() const { return density_tolerance_of(options.tolerance); }
 

@@ -2,6 +2,7 @@
 // Core's one door: a scene prepared for one grid, asked for cells, runs and strokes.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
@@ -34,7 +35,8 @@ struct DrawOptions {
   // Of Boolean solids.
   BooleanForm boolean = BooleanForm::automatic;
   Coherence coherence = Coherence::all;
-  double translucent = 0;  ///< how dark what was cut away is shown, 0 (not at all) to 1
+  /// How dark what was cut away is shown, 0 (not at all) to 1; else as the scene says.
+  std::optional<double> translucent;
   /// Called now and then with 0..1 of the present work, always from one thread.
   std::function<void(double)> progress;
 };

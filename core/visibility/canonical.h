@@ -77,7 +77,8 @@ struct CanonicalSolid {
   SolidExpression expression;            ///< the same set
   std::string name = {};                 ///< as Solid::name
   Place place = {};                      ///< as Solid::place
-  std::optional<UncutSolid> uncut = {};  ///< where what was cut away is shown
+  double translucent = 0;                ///< as Solid::translucent
+  std::optional<UncutSolid> uncut = {};  ///< where translucent > 0 (solid_forms.h)
 };
 
 struct CanonicalPattern {

@@ -19,7 +19,7 @@ struct SeenFirst {
   }
 };
 
-/// A run's part, or nothing of `x0` to `x1` where nothing is: density 0.
+/// A run from x0 to x1.
 DensityRun part(const DensityRun& run, double x0, double x1) {
   const auto at = [&](double x) {
     if (x == run.x0 || run.density0 == run.density1) return run.density0;
@@ -93,11 +93,17 @@ void CutAway::compare(double y, const SpanPiece& over, Index seen) {
   }
 }
 
+double CutAway::factor_of(const DensityRun& run) const {
+  const Canonical& c = table_.canonical;
+  return c.solids[c.memberships[run.body].solid]->translucent;
+}
+
 /// Goes over both from left to right. Runs that nothing lies before stay as they are.
 void CutAway::merge(std::span<const DensityRun> runs, std::vector<DensityRun>& mixed) const {
   const auto mix_in = [&](DensityRun run, double of_run, const DensityRun& before) {
-    run.density0 = of_run * run.density0 + factor_ * before.density0;
-    run.density1 = of_run * run.density1 + factor_ * before.density1;
+    const double factor = factor_of(before);
+    run.density0 = of_run * (1 - factor) * run.density0 + factor * before.density0;
+    run.density1 = of_run * (1 - factor) * run.density1 + factor * before.density1;
     mixed.push_back(run);
   };
   std::size_t b = 0;
@@ -120,7 +126,7 @@ void CutAway::merge(std::span<const DensityRun> runs, std::vector<DensityRun>& m
       const double x0 = std::max(before_[b].x0, x), x1 = std::min(before_[b].x1, run.x1);
       if (x0 > x) mixed.push_back(part(run, x, x0));
       if (x0 < x1) {
-        mix_in(part(run, x0, x1), 1 - factor_, part(before_[b], x0, x1));
+        mix_in(part(run, x0, x1), 1, part(before_[b], x0, x1));
         x = x1;
       }
       if (before_[b].x1 > run.x1) break;

@@ -3,7 +3,8 @@
 //
 // What was cut away of a solid is seen where the solid with nothing taken from it (solid_forms.h)
 // is seen before what is left of it. Of all that was cut away before what is seen the nearest
-// counts: the density is mixed, (1 - f) of what is seen and f of what was cut away.
+// counts: the density is mixed, (1 - f) of what is seen and f of what was cut away, f its solid's
+// factor.
 #include <vector>
 
 #include "core/picture.h"
@@ -16,8 +17,8 @@ namespace overstrike {
 /// One a thread.
 class CutAway {
  public:
-  CutAway(const FaceOrder& order, RunShader& shader, double columns, double factor)
-      : order_(order), shader_(shader), columns_(columns), factor_(factor) {}
+  CutAway(const FrontTable& table, const FaceOrder& order, RunShader& shader)
+      : table_(table), order_(order), shader_(shader), columns_(table.columns) {}
 
   /// Mixes what was cut away into runs from `first` on, which are those of `seen` on the level.
   void mix(double y, const std::vector<SpanPiece>& seen, std::vector<SpanPiece>& cut_away,
@@ -27,11 +28,13 @@ class CutAway {
   void find_first(double y, const std::vector<SpanPiece>& seen,
                   const std::vector<SpanPiece>& cut_away);
   void compare(double y, const SpanPiece& over, Index seen);
+  double factor_of(const DensityRun& run) const;
   void merge(std::span<const DensityRun> runs, std::vector<DensityRun>& mixed) const;
 
+  const FrontTable& table_;
   const FaceOrder& order_;
   RunShader& shader_;
-  double columns_, factor_;
+  double columns_;
   // Of one level.
   struct End {
     double x;

@@ -254,7 +254,9 @@ void Builder::add_solids() {
   }
   for (Index b = 0; b < c_.memberships.size(); ++b) {
     const FrontBody& front = table_.bodies[b];
-    if (c_.memberships[b].solid == kNone || !front.seen || table_.windows[b].none()) continue;
+    if (c_.memberships[b].solid == kNone || !front.seen ||
+        (!table_.windows.empty() && table_.windows[b].none()))
+      continue;
     FrontBody& solid = table_.bodies[table_.solid_body(c_.memberships[b].solid)];
     table_.operands.push_back(b);
     solid.seen = true;

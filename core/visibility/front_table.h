@@ -197,7 +197,7 @@ struct FrontTable {
   UnsetVector<FrontBody> bodies;   ///< after the ground the solids; their operands are bodies too
   std::vector<Index> loose;        ///< the bodies that are, but for operands
   std::vector<Index> operands;     ///< the bodies that are operands, matter and are seen, by solid
-  std::vector<GridWindow> windows;  ///< per body, where it matters; of no body without solids
+  std::vector<GridWindow> windows;  ///< per body, where it matters; of none where all do everywhere
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose

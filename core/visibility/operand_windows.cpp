@@ -47,12 +47,16 @@ std::vector<GridWindow> operand_windows(const Canonical& canonical, const View& 
     add_reach(solid.nodes, bounds[s], reach[s]);
     if (solid.uncut) add_reach(solid.uncut->nodes, bounds[s], reach[s]);
   }
+  bool any = false;
   std::vector<GridWindow> windows(canonical.bodies.size());
   each([&](Index b, const Membership& member) {
     const WorldBox box =
         common(bounds[member.solid][member.operand], reach[member.solid][member.operand]);
+    if (box.low == bodies[b].low && box.high == bodies[b].high) return;
     windows[b] = box.empty() ? GridWindow{1, 0, 1, 0} : window_of(box, view);
+    any = true;
   });
+  if (!any) windows.clear();
   return windows;
 }
 

@@ -11,7 +11,7 @@ class LineScanner : public RunScanner {
   LineScanner(const SweepTable& table, const ReceiverShadows& shadows, double density_tolerance)
       : sweep_(table),
         shader_(table.fronts, shadows, sweep_.faces(), density_tolerance),
-        cut_away_(sweep_.faces(), shader_, table.fronts.columns, table.solids.cut_away),
+        cut_away_(table.fronts, sweep_.faces(), shader_),
         beside_(beside_line(table.fronts.columns, table.fronts.rows)) {}
   void resolve(double y, std::vector<DensityRun>& runs) override {
     pieces_.clear();

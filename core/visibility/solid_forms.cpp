@@ -65,8 +65,8 @@ std::vector<SolidNode> uncut(const std::vector<SolidNode>& nodes) {
   return kept;
 }
 
-std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(const Canonical& canonical,
-                                                                  BooleanForm form, bool cut_away) {
+std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(
+    const Canonical& canonical, BooleanForm form, std::optional<double> translucent) {
   std::vector<std::shared_ptr<const CanonicalSolid>> solids = canonical.solids;
   std::vector<std::vector<WorldBox>> bounds;
   for (std::size_t s = 0; s < solids.size(); ++s) {
@@ -80,12 +80,14 @@ std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(const Canonica
                                           : SolidProducts::kMostElements);
       if (!products && !few_do) refuse_products(tree);
     }
-    if (!products && !cut_away) continue;
+    const double shown = translucent.value_or(tree.translucent);
+    if (!products && !(shown > 0)) continue;
     auto solid = std::make_shared<CanonicalSolid>(tree);
     const Index operands = tree.expression.operands();
     // The tree stays, and with it where operands matter: so no form moves an end by a rounding.
     if (products) solid->expression = SolidExpression(products->nodes(), operands);
-    if (cut_away) {
+    solid->translucent = shown;
+    if (shown > 0) {
       std::vector<SolidNode> nodes = uncut(tree.nodes);
       SolidExpression expression(nodes, operands);
       solid->uncut = UncutSolid{std::move(nodes), std::move(expression)};

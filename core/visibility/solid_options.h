@@ -53,7 +53,6 @@ class SolidTally {
 
 struct SolidOptions {
   Coherence coherence = Coherence::all;
-  double cut_away = 0;          ///< how dark what was cut away is shown (cut_away.h): 0..1
   SolidTally* tally = nullptr;  ///< where a sweep leaves its counts when it ends; may be null
 };
 
