@@ -1,5 +1,6 @@
 #pragma once
 // The subcommands: what each was asked, and what runs it. Options are already read and checked.
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -26,8 +27,11 @@ struct RenderCommand {
   std::size_t options = 0;  ///< so many of the settings, the first, were options of their own
   SceneChanges changes;
   Method method = Method::automatic;
-  double tolerance = 0;  ///< grid units; 0: the device's
-  int threads = 0;       ///< 0: all processors
+  BooleanForm boolean = BooleanForm::automatic;
+  Coherence coherence = Coherence::all;
+  std::optional<double> translucent;  ///< else as the scene says
+  double tolerance = 0;               ///< grid units; 0: the device's
+  int threads = 0;                    ///< 0: all processors
   TimingsFormat timings = TimingsFormat::none;
   bool verbose = false;
 };

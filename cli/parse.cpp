@@ -38,7 +38,7 @@ struct Words {
   std::vector<std::string> named = std::vector<std::string>(std::size(kDeviceSettings));
   std::vector<std::string> render_sets, emulate_sets;
   std::vector<std::string> machine = std::vector<std::string>(std::size(kMachineSettings));
-  std::string method, tolerance, threads, timings;
+  std::string method, boolean, coherence, translucent, tolerance, threads, timings;
 };
 
 /// One text option; the last one given counts.
@@ -133,6 +133,9 @@ void add_render(CLI::App& app, Words& w) {
   set_option(sub, w.render_sets);
   add_scene_options(sub, w.changes);
   text_option(sub, option_help("--method"), w.method);
+  text_option(sub, option_help("--boolean"), w.boolean);
+  text_option(sub, option_help("--coherence"), w.coherence);
+  text_option(sub, option_help("--translucent"), w.translucent);
   text_option(sub, option_help("--tolerance"), w.tolerance);
   text_option(sub, option_help("--threads"), w.threads);
   sub->add_flag("--timings{text}", w.timings, std::string(option_help("--timings").meaning))
@@ -221,13 +224,40 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+/// Which of the names the text is; `usual` where there is none. `names` as they are listed.
+template <std::size_t n>
+std::size_t read_choice(std::string_view option, const std::string& text,
+                        const std::string_view (&names)[n], std::size_t usual) {
+  if (text.empty()) return usual;
+  const auto found = std::find(std::begin(names), std::end(names), text);
+  if (found != std::end(names)) return static_cast<std::size_t>(found - std::begin(names));
+  std::string list(names[0]);
+  for (std::size_t i = 1; i < n; ++i) list += (i + 1 < n ? ", " : " or ") + std::string(names[i]);
+  throw UsageError(
+      fmt::format("{}: expected {}, found '{}'{}", option, list, text, suggestion(text, names)));
+}
+
 Method read_method(const std::string& text) {
   static constexpr std::string_view kNames[] = {"auto", "line", "nn74"};
-  if (text.empty() || text == "auto") return Method::automatic;
-  if (text == "line") return Method::line;
-  if (text == "nn74") return Method::nn74;
-  throw UsageError(fmt::format("--method: expected auto, line or nn74, found '{}'{}", text,
-                               suggestion(text, kNames)));
+  return static_cast<Method>(read_choice("--method", text, kNames, 0));
+}
+
+BooleanForm read_boolean(const std::string& text) {
+  static constexpr std::string_view kNames[] = {"auto", "tree", "sop"};
+  return static_cast<BooleanForm>(read_choice("--boolean", text, kNames, 0));
+}
+
+Coherence read_coherence(const std::string& text) {
+  static constexpr std::string_view kNames[] = {"none", "span", "span+behind", "all"};
+  return static_cast<Coherence>(read_choice("--coherence", text, kNames, 3));
+}
+
+std::optional<double> read_translucent(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const NumberRule rule{"--translucent", "F from 0 to 1"};
+  const double factor = read_numbers(rule, text).front();
+  if (!(factor >= 0 && factor <= 1)) refuse(rule, text);
+  return factor;
 }
 
 TimingsFormat read_timings(const std::string& text) {
@@ -249,6 +279,9 @@ Command render_command(Words& w) {
   for (const std::string& set : w.render_sets) w.render.settings.push_back(split_setting(set));
   w.render.changes = read_scene_changes(w.changes);
   w.render.method = read_method(w.method);
+  w.render.boolean = read_boolean(w.boolean);
+  w.render.coherence = read_coherence(w.coherence);
+  w.render.translucent = read_translucent(w.translucent);
   if (!w.tolerance.empty())
     w.render.tolerance = read_number_above({"--tolerance", "T in cells, above 0 and at most 100"},
                                            w.tolerance, 0, 100);

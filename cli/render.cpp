@@ -23,6 +23,9 @@ std::unique_ptr<Transport> open_output(const std::string& output) {
 DrawOptions draw_options(const RenderCommand& command, Progress& progress) {
   DrawOptions options;
   options.method = command.method;
+  options.boolean = command.boolean;
+  options.coherence = command.coherence;
+  options.translucent = command.translucent;
   options.tolerance = command.tolerance;
   options.threads = command.threads;
   options.progress = [&progress](double fraction) { progress.show(fraction); };

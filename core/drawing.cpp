@@ -20,6 +20,7 @@
 #include "core/visibility/run_shader.h"
 #include "core/visibility/scan_line.h"
 #include "core/visibility/shadows.h"
+#include "core/visibility/solid_forms.h"
 #include "core/visibility/strokes.h"
 #include "core/visibility/view.h"
 
@@ -165,8 +166,9 @@ struct Drawing::Impl {
   Impl(const Scene& scene, const Grid& asked_grid, const DrawOptions& draw_options)
       : options(draw_options), grid(asked_grid), view(make_view(scene, grid, options.margin)) {
     Stopwatch eye_watch;
-    whole =
-        std::make_shared<const Canonical>(canonicalize(scene, view, options.tolerance, warnings));
+    Canonical canonical = canonicalize(scene, view, options.tolerance, warnings);
+    canonical.solids = solids_in_form(canonical, options.boolean, options.translucent);
+    whole = std::make_shared<const Canonical>(std::move(canonical));
     timings.eye_ms += eye_watch.ms();
     check_solids(scene.solids.empty() ? Place{} : scene.solids.front().place);
     clip_near();
@@ -178,8 +180,18 @@ struct Drawing::Impl {
   Impl(std::shared_ptr<const Canonical> canonical, const View& in_view,
        const DrawOptions& draw_options)
       : options(draw_options), grid(in_view.grid), view(in_view), whole(std::move(canonical)) {
+    take_solids_in_form();
     check_solids({});
     clip_near();
+  }
+
+  /// The canonical input stays as it is where they need no change.
+  void take_solids_in_form() {
+    auto solids = solids_in_form(*whole, options.boolean, options.translucent);
+    if (solids == whole->solids) return;
+    Canonical changed = *whole;
+    changed.solids = std::move(solids);
+    whole = std::make_shared<const Canonical>(std::move(changed));
   }
 
   /// What cannot be drawn of solids, the first of which the scene names at `place`.
@@ -249,7 +261,7 @@ struct Drawing::Impl {
 
   const Canonical& seen() const { return clipped ? cut : *whole; }
 
-  SolidOptions solid_options() { return {options.coherence, false, &tally}; }
+  SolidOptions solid_options() { return {options.coherence, &tally}; }
 
   double density_tolerance() const { return density_tolerance_of(options.tolerance); }
 

@@ -2,6 +2,7 @@
 // Core's one door: a scene prepared for one grid, asked for cells, runs and strokes.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
@@ -29,9 +30,13 @@ struct DrawOptions {
   Method method = Method::automatic;
   double tolerance =
       0.05;  ///< grid units; the promise of DESIGN: chords, area averages, stroke simplification
-  int threads = 0;                       ///< 0: all processors
-  double margin = 0.02;                  ///< of a fitted window
-  Coherence coherence = Coherence::all;  ///< of Boolean solids
+  int threads = 0;       ///< 0: all processors
+  double margin = 0.02;  ///< of a fitted window
+  // Of Boolean solids.
+  BooleanForm boolean = BooleanForm::automatic;
+  Coherence coherence = Coherence::all;
+  /// How dark what was cut away is shown, 0 (not at all) to 1; else as the scene says.
+  std::optional<double> translucent;
   /// Called now and then with 0..1 of the present work, always from one thread.
   std::function<void(double)> progress;
 };

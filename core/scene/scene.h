@@ -50,6 +50,7 @@ struct Solid {
   std::vector<SolidNode> nodes;  ///< the root comes first
   std::string name;              ///< empty when the scene gave none
   Place place;                   ///< where the scene names it
+  double translucent = 0;        ///< how dark what was cut away is shown: 0 (not at all) to 1
 };
 
 /// A line in space, drawn as a stroke where nothing hides it.

@@ -65,10 +65,20 @@ struct Membership {
   Index operand = 0;    ///< in its nodes
 };
 
+/// A solid with nothing taken from it: of each difference the first operand (solid_forms.h).
+struct UncutSolid {
+  std::vector<SolidNode> nodes;
+  SolidExpression expression;
+};
+
 /// A Boolean solid. Bodies that are the same in the same place are one operand.
 struct CanonicalSolid {
-  std::vector<SolidNode> nodes;  ///< `body` is the operand
-  SolidExpression expression;    ///< the same
+  std::vector<SolidNode> nodes;          ///< `body` is the operand
+  SolidExpression expression;            ///< the same set
+  std::string name = {};                 ///< as Solid::name
+  Place place = {};                      ///< as Solid::place
+  double translucent = 0;                ///< as Solid::translucent
+  std::optional<UncutSolid> uncut = {};  ///< where translucent > 0 (solid_forms.h)
 };
 
 struct CanonicalPattern {

@@ -10,6 +10,7 @@
 #include "core/visibility/far_line.h"
 #include "core/visibility/front_outline.h"
 #include "core/visibility/ground_polygon.h"
+#include "core/visibility/operand_windows.h"
 #include "core/visibility/run_source.h"
 
 namespace overstrike {
@@ -241,8 +242,10 @@ void Builder::add_ground() {
   outlines_.find_ground(polygon);
 }
 
-/// Bounds of all their operands.
+/// Bounds of all their operands that matter.
 void Builder::add_solids() {
+  if (c_.solids.empty()) return;
+  table_.windows = operand_windows(c_, view_, {table_.bodies.data(), c_.bodies.size()});
   for (Index s = 0; s < c_.solids.size(); ++s) {
     FrontBody& solid = table_.bodies[table_.solid_body(s)] = {};
     solid.low = Vec3(kInfinity), solid.high = Vec3(-kInfinity);
@@ -251,7 +254,9 @@ void Builder::add_solids() {
   }
   for (Index b = 0; b < c_.memberships.size(); ++b) {
     const FrontBody& front = table_.bodies[b];
-    if (c_.memberships[b].solid == kNone || !front.seen) continue;
+    if (c_.memberships[b].solid == kNone || !front.seen ||
+        (!table_.windows.empty() && table_.windows[b].none()))
+      continue;
     FrontBody& solid = table_.bodies[table_.solid_body(c_.memberships[b].solid)];
     table_.operands.push_back(b);
     solid.seen = true;

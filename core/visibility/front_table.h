@@ -165,6 +165,12 @@ struct ManifoldLevels {
   double low, high;
 };
 
+/// A rectangle of the grid, all of it at first; none where x0 > x1.
+struct GridWindow {
+  double x0 = -HUGE_VAL, x1 = HUGE_VAL, y0 = -HUGE_VAL, y1 = HUGE_VAL;
+  bool none() const { return x0 > x1; }
+};
+
 /// What a table is for: a picture, with tones and the ground; or outlines and depths alone, as the
 /// light's view needs them.
 enum class FrontUse : std::uint8_t { picture, outlines };
@@ -190,7 +196,8 @@ struct FrontTable {
   UnsetVector<FaceTone> tones;     ///< of the faces that are seen, for a picture
   UnsetVector<FrontBody> bodies;   ///< after the ground the solids; their operands are bodies too
   std::vector<Index> loose;        ///< the bodies that are, but for operands
-  std::vector<Index> operands;     ///< the bodies that are operands and seen, by solid
+  std::vector<Index> operands;     ///< the bodies that are operands, matter and are seen, by solid
+  std::vector<GridWindow> windows;  ///< per body, where it matters; of none where all do everywhere
   std::vector<OutlineSide> outlines;
   std::vector<SmallSide> small_sides;
   std::vector<ManifoldLevels> manifold;  ///< of bodies that are not loose

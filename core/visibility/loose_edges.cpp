@@ -35,14 +35,24 @@ bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, 
 
 LooseEdges::LooseEdges(const FrontTable& table)
     : edges_(edges_of(table)), bands_(table.rows, edges_.size(), [&](std::size_t i) {
-        return std::pair(edges_[i].line.y0, edges_[i].line.y1);
+        const LevelLine& line = edges_[i].line;
+        if (table.windows.empty()) return std::pair(line.y0, line.y1);
+        const GridWindow& in = table.windows[table.canonical.faces[edges_[i].faces[0]].body];
+        return std::pair(std::max(line.y0, in.y0), std::min(line.y1, in.y1));
       }) {}
 
 void LooseResolver::add(const LooseEdge& edge, double y) {
   if (!(edge.line.y0 <= y && y < edge.line.y1)) return;
   const Index body = table_.canonical.faces[edge.faces[0]].body;
   const float slack = static_cast<float>(table_.bodies[body].line_error.of(edge.line));
-  passing_.push_back({edge.line.x_at(y), slack, edge.faces});
+  Passing passing{edge.line.x_at(y), slack, edge.faces};
+  if (!table_.windows.empty()) {
+    // Beyond its window the body is not there.
+    const GridWindow& in = table_.windows[body];
+    const double x = std::clamp(passing.x, in.x0, in.x1);
+    if (x != passing.x) passing.x = x, passing.slack = 0;
+  }
+  passing_.push_back(passing);
 }
 
 void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
@@ -50,13 +60,14 @@ void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
   sort_passing(passing_);
   pieces_.clear();
   if (body > table_.ground_body()) {
-    solid_.begin(table_.canonical.solids[body - table_.solid_body(0)]->expression, order_, y,
-                 table_.columns);
+    const CanonicalSolid& solid = *table_.canonical.solids[body - table_.solid_body(0)];
+    solid_.begin(solid.expression, order_, y, table_.columns,
+                 solid.uncut ? &solid.uncut->expression : nullptr);
     sweep(
         passing_, [&](const auto& faces) { solid_.pass(faces); },
         [&](double x0, double x1, double slack0, double slack1) {
           solid_.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
-                      pieces_);
+                      pieces_, cut_away_);
         });
   } else {
     sweep(

@@ -59,6 +59,9 @@ class LooseResolver {
   /// Appends what is seen of the body whose edges were added, as sides from left to right; a side
   /// of no face ends each connected stretch. Forgets the edges.
   void resolve(Index body, double y, std::vector<RowSide>& sides);
+  /// What was cut away of solids that were resolved since this was cleared: where the uncut solid
+  /// is seen before what is left of it. By solid, from left to right.
+  std::vector<SpanPiece>& cut_away() { return cut_away_; }
 
  private:
   void span(double x0, double x1, double y, double slack0, double slack1);
@@ -69,7 +72,7 @@ class LooseResolver {
   ActiveList<FaceOrder> active_;
   SolidSweep solid_;
   std::vector<Passing> passing_;
-  std::vector<SpanPiece> pieces_;
+  std::vector<SpanPiece> pieces_, cut_away_;
 };
 
 }  // namespace overstrike

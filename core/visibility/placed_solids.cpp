@@ -103,8 +103,13 @@ std::vector<PlacedShape> with_solids(const Scene& scene, const PlacedShapes& pla
       node.body = operand;
     }
     SolidExpression expression(nodes, operands[s]);
-    canonical.solids.push_back(std::make_shared<const CanonicalSolid>(
-        CanonicalSolid{std::move(nodes), std::move(expression)}));
+    canonical.solids.push_back(
+        std::make_shared<const CanonicalSolid>(CanonicalSolid{std::move(nodes),
+                                                              std::move(expression),
+                                                              scene.solids[s].name,
+                                                              scene.solids[s].place,
+                                                              scene.solids[s].translucent,
+                                                              {}}));
   }
   return bodies;
 }

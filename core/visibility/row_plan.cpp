@@ -85,6 +85,7 @@ void RowPlanner::make(double y, std::span<const Index> not_walkable, RowPlan& pl
 
 void RowPlanner::collect(double y) {
   plan_->items.clear(), sides_->clear();
+  if (loose_) loose_->cut_away().clear();
   const std::size_t band = table_.bodies.band(y);
   const auto [loose_from, loose_until] = table_.loose.levels_near(y);
   plan_->from = std::max(table_.bodies.low(band), loose_from);

@@ -88,6 +88,8 @@ class RowPlanner {
   /// resolved by their edges; their sides are left in `sides`, and the plan does not last.
   void make(double y, std::span<const Index> not_walkable, RowPlan& plan,
             std::vector<RowSide>& sides, std::vector<double>& event_x);
+  /// What was cut away of solids on the level that the plan was made for (LooseResolver).
+  std::vector<SpanPiece>* cut_away() { return loose_ ? &loose_->cut_away() : nullptr; }
 
  private:
   struct ItemEnd {

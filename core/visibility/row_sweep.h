@@ -20,6 +20,8 @@ class RowSweep {
   /// paper. Neighbours of one face are one piece.
   void resolve(double y, std::vector<SpanPiece>& pieces);
   const FaceOrder& faces() const { return faces_; }
+  /// What was cut away of solids on the level; null or empty where nothing was.
+  std::vector<SpanPiece>* cut_away() { return planner_.cut_away(); }
 
  private:
   /// One of the fronts that may meet: the side that is reached, and the depth of its face on the

@@ -24,6 +24,11 @@ class RunShader {
 
   /// Appends the runs of one level.
   void shade(double y, const std::vector<SpanPiece>& pieces, std::vector<DensityRun>& runs);
+  /// The same as if no shadow fell on anything.
+  void shade_away_from_shadows(double y, const std::vector<SpanPiece>& pieces,
+                               std::vector<DensityRun>& runs) {
+    for (const SpanPiece& piece : pieces) toned(y, piece, runs);
+  }
 
  private:
   /// Density over the grid: (q . (x, y, 1)) / (w . (x, y, 1)), which stays between those of the

@@ -1,5 +1,6 @@
 #include "core/visibility/scan_line.h"
 
+#include "core/visibility/cut_away.h"
 #include "core/visibility/run_shader.h"
 
 namespace overstrike {
@@ -10,17 +11,23 @@ class LineScanner : public RunScanner {
   LineScanner(const SweepTable& table, const ReceiverShadows& shadows, double density_tolerance)
       : sweep_(table),
         shader_(table.fronts, shadows, sweep_.faces(), density_tolerance),
+        cut_away_(table.fronts, sweep_.faces(), shader_),
         beside_(beside_line(table.fronts.columns, table.fronts.rows)) {}
   void resolve(double y, std::vector<DensityRun>& runs) override {
     pieces_.clear();
     y += beside_;
     sweep_.resolve(y, pieces_);
+    const std::size_t first = runs.size();
     shader_.shade(y, pieces_, runs);
+    std::vector<SpanPiece>* const cut_away = sweep_.cut_away();
+    if (cut_away != nullptr && !cut_away->empty())
+      cut_away_.mix(y, pieces_, *cut_away, runs, first);
   }
 
  private:
   RowSweep sweep_;
   RunShader shader_;
+  CutAway cut_away_;
   double beside_;
   std::vector<SpanPiece> pieces_;
 };

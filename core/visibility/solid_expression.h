@@ -28,6 +28,22 @@ class SolidExpression {
   Index operands() const { return static_cast<Index>(first_leaf_.size() - 1); }
   Index terms() const { return static_cast<Index>(terms_.size()); }
 
+  struct Term {
+    Index parent;   ///< kNoTerm: the root, which is term 0
+    Index needed;   ///< true while so many members are, or more; 1, or all of several
+    Index at_rest;  ///< members that are true outside of everything
+  };
+  struct Leaf {
+    Index term;
+    bool complement;
+  };
+  /// Terms come before their members.
+  const Term& term(Index t) const { return terms_[t]; }
+  std::span<const Leaf> leaves(Index operand) const {
+    return {leaves_.data() + first_leaf_[operand], leaves_.data() + first_leaf_[operand + 1]};
+  }
+  std::size_t leaf_count() const { return leaves_.size(); }
+
   /// One place on its way along a line of sight. Outside of everything at first. One a thread.
   class State {
    public:
@@ -48,15 +64,6 @@ class SolidExpression {
   };
 
  private:
-  struct Term {
-    Index parent;   ///< kNoTerm: the root, which is term 0
-    Index needed;   ///< true while so many members are, or more
-    Index at_rest;  ///< members that are true outside of everything
-  };
-  struct Leaf {
-    Index term;
-    bool complement;
-  };
   friend class State;
   std::vector<Term> terms_;
   std::vector<Leaf> leaves_;       ///< by operand

@@ -5,6 +5,11 @@
 
 namespace overstrike {
 
+/// What the expression of a solid is followed as: the tree that was written, or a sum of products
+/// (TK 3.3); or the latter where it is no more work (solid_forms.h). What is drawn is the same, to
+/// the bit.
+enum class BooleanForm : std::uint8_t { automatic, tree, products };
+
 /// What is kept from one span to the next. What is drawn is the same, to the bit.
 ///
 /// none: the layers are put in order, and the expression is followed, anew in each span and after
@@ -48,7 +53,6 @@ class SolidTally {
 
 struct SolidOptions {
   Coherence coherence = Coherence::all;
-  bool cut_away = false;        ///< what was cut away is looked for too
   SolidTally* tally = nullptr;  ///< where a sweep leaves its counts when it ends; may be null
 };
 

@@ -10,28 +10,35 @@ namespace overstrike {
 
 SolidSweep::~SolidSweep() {
   if (options_.tally == nullptr) return;
-  count_work();
+  stop(solid_), stop(uncut_);
   options_.tally->add(counts_);
 }
 
 /// Takes over what the state has counted.
-void SolidSweep::count_work() {
-  if (state_) counts_.updates += state_->updates();
+void SolidSweep::stop(Candidate& candidate) {
+  if (candidate.state) counts_.updates += candidate.state->updates();
+  candidate.state.reset();
+}
+
+void SolidSweep::follow(Candidate& candidate, const SolidExpression* expression) {
+  candidate.known = false;
+  if (candidate.expression == expression) return;
+  stop(candidate);
+  candidate.expression = expression;
+  if (expression != nullptr) candidate.state.emplace(*expression);
 }
 
 void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& order, double y,
-                       double reach) {
-  if (expression_ != &expression) {
-    count_work();
-    expression_ = &expression;
-    state_.emplace(expression);
+                       double reach, const SolidExpression* uncut) {
+  if (solid_.expression != &expression) {
     winding_.assign(expression.operands(), 0);
     turned_.assign(expression.operands(), 0);
   }
+  follow(solid_, &expression), follow(uncut_, uncut);
   order_ = &order;
   y_ = y, reach_ = reach;
   layers_.clear(), passed_.clear(), at_end_.clear();
-  known_ = ends_ = false;
+  ends_ = false;
 }
 
 void SolidSweep::end_at_layer() {
@@ -107,8 +114,12 @@ bool SolidSweep::stands_clear(std::size_t at) const {
 /// another of its plane decides with that.
 void SolidSweep::changed_at(std::size_t at) {
   const bool joins = at > 0 && at < layers_.size() && layers_[at - 1].plane == layers_[at].plane;
-  known_ = known_ && (joins ? at - 1 : at) >= decided_;
+  const std::size_t first = joins ? at - 1 : at;
+  solid_.known = solid_.known && first >= solid_.decided;
+  uncut_.known = uncut_.known && first >= uncut_.decided;
 }
+
+void SolidSweep::forget_seen() { solid_.known = uncut_.known = false; }
 
 /// What it decided it decides on, if it is alone in its plane, before and after.
 void SolidSweep::replace(std::size_t at, Index face) {
@@ -123,7 +134,8 @@ void SolidSweep::replace(std::size_t at, Index face) {
   layers_[at].fresh = tied || ties_now || before.replaced_at == settlings_ || !stands_clear(at);
   const bool alike = layers_[at].enters == before.enters && !tied && !ties_now;
   if (!alike) return changed_at(at);
-  if (known_ && seen_ == before.face) seen_ = face;
+  for (Candidate* const c : {&solid_, &uncut_})
+    if (c->known && c->face == before.face) c->face = face;
 }
 
 void SolidSweep::toggle(Index face) {
@@ -143,7 +155,7 @@ void SolidSweep::toggle(Index face) {
 }
 
 void SolidSweep::toggle_at_end(Index face) {
-  known_ = false;
+  forget_seen();
   if (std::erase_if(at_end_, [&](const Layer& l) { return l.face == face; }) > 0) return;
   const auto behind = std::partition_point(at_end_.begin(), at_end_.end(), [&](const Layer& other) {
     return canonical_.faces[face].plane == other.plane ||
@@ -189,7 +201,7 @@ void SolidSweep::settle(double low, double high) {
 
 /// For comparison: the layers are put in order as if they had been in none.
 void SolidSweep::forget_last_span() {
-  known_ = false;
+  forget_seen();
   for (Layer& layer : layers_) layer.before = kNone;
   for (std::size_t i = 1; i < layers_.size(); ++i) move_into_order(i);
 }
@@ -262,90 +274,120 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
 void SolidSweep::exchange(std::size_t first) {
   std::swap(layers_[first], layers_[first + 1]);
   changed_at(first);
-  known_ = known_ && options_.coherence >= Coherence::span_and_behind;
+  if (options_.coherence < Coherence::span_and_behind) forget_seen();
   ++counts_.crossings;
 }
 
-void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces) {
+namespace {
+
+/// The face that is seen from somewhere in a span on, until another is.
+class Showing {
+ public:
+  Showing(const SpanPiece& over, Index face, std::vector<SpanPiece>& pieces)
+      : piece_{over.x0, over.x1, face, over.slack0, 0}, pieces_(pieces) {}
+  void end_at(double x, float slack) {
+    if (!(x > piece_.x0)) return;
+    if (piece_.face != kNone) pieces_.push_back({piece_.x0, x, piece_.face, piece_.slack0, slack});
+    piece_.x0 = x, piece_.slack0 = slack;
+  }
+  /// `low`: where the span begins for sure; before that nothing ends.
+  void change_at(double x, double low, Index face) {
+    if (face == piece_.face) return;
+    if (x > low) end_at(x, 0);
+    piece_.face = face;
+  }
+
+ private:
+  SpanPiece piece_;
+  std::vector<SpanPiece>& pieces_;
+};
+
+}  // namespace
+
+void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces,
+                      std::vector<SpanPiece>& cut_away_pieces) {
   ++counts_.spans;
   double low = over.x0 + over.slack0, high = over.x1 - over.slack1;
   if (!(low < high)) low = high = over.x0 + (over.x1 - over.x0) / 2;
   settle(low, high);
-  SpanPiece piece{over.x0, over.x1, seen(), over.slack0, 0};
-  const auto show_to = [&](double x, float slack) {
-    if (piece.face != kNone && x > piece.x0)
-      pieces.push_back({piece.x0, x, piece.face, piece.slack0, slack});
-    if (x > piece.x0) piece.x0 = x, piece.slack0 = slack;
-  };
+  Showing solid(over, seen(solid_), pieces), before(over, cut_away(), cut_away_pieces);
   for (double x = low; const std::optional<Crossing> next = next_crossing(x);) {
     x = next->x;
     exchange(next->first);
-    const Index now = seen();
-    if (now == piece.face) continue;
-    if (x > low) show_to(x, 0);
-    piece.face = now;
+    solid.change_at(x, low, seen(solid_));
+    before.change_at(x, low, cut_away());
   }
-  show_to(over.x1, over.slack1);
+  solid.end_at(over.x1, over.slack1);
+  before.end_at(over.x1, over.slack1);
 }
 
-Index SolidSweep::seen() {
-  if (!known_) seen_ = find_seen();
-  known_ = true;
-  return seen_;
+/// What is seen of the uncut solid where that lies before what is seen of the solid, or kNone.
+Index SolidSweep::cut_away() {
+  if (uncut_.expression == nullptr) return kNone;
+  const Index face = seen(uncut_);
+  // The solid lies within the uncut one, so that it never begins before that.
+  return solid_.face == kNone || uncut_.decided < solid_.decided ? face : kNone;
+}
+
+Index SolidSweep::seen(Candidate& of) {
+  if (!of.known) of.face = find_seen(of);
+  of.known = true;
+  return of.face;
 }
 
 /// The face of the solid that is nearest, or kNone.
-Index SolidSweep::find_seen() {
+Index SolidSweep::find_seen(Candidate& of) {
+  SolidExpression::State& state = *of.state;
   ++counts_.decisions;
   Index found = kNone;
   entered_.clear();
-  decided_ = layers_.size() + 1;
+  of.decided = layers_.size() + 1;
   // Calls for one group of faces in one plane after the other, until the solid begins in one.
   const auto look_through = [&](const std::vector<Layer>& layers) {
     std::size_t first = 0;
     while (first < layers.size() && found == kNone && layers[first].face != LayerOrder::kEnd) {
       std::size_t end = first + 1;
       while (end < layers.size() && layers[end].plane == layers[first].plane) ++end;
-      found = enter({layers.data() + first, end - first});
+      found = enter(state, {layers.data() + first, end - first});
       first = end;
     }
     return first;
   };
   const std::size_t first = look_through(layers_);
   if (found != kNone) {
-    decided_ = first;
+    of.decided = first;
   } else if (first < layers_.size()) {
-    decided_ = first + 1;
+    of.decided = first + 1;
     look_through(at_end_);
   }
   for (const Layer& layer : layers_) winding_[layer.operand] = 0;
   for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
   counts_.flips += entered_.size();
   for (const Index operand : entered_)
-    if (state_->in(operand)) state_->flip(operand);
+    if (state.in(operand)) state.flip(operand);
   return found;
 }
 
 /// Passes faces of one plane, which are counted together before it is decided whether the solid
 /// begins there (TK 3.3.4, step 5). The one that is seen if it does, or kNone.
-Index SolidSweep::enter(std::span<const Layer> group) {
+Index SolidSweep::enter(SolidExpression::State& state, std::span<const Layer> group) {
   changed_.clear();
   for (const Layer& layer : group) {
     const bool was_in = winding_[layer.operand] != 0;
     winding_[layer.operand] += layer.enters;
     if (was_in == (winding_[layer.operand] != 0)) continue;
-    state_->flip(layer.operand);
+    state.flip(layer.operand);
     changed_.push_back(layer.operand);
   }
   entered_.insert(entered_.end(), changed_.begin(), changed_.end());
-  if (!state_->inside()) return kNone;
-  return group.size() == 1 ? group.front().face : choose(group);
+  if (!state.inside()) return kNone;
+  return group.size() == 1 ? group.front().face : choose(state, group);
 }
 
 /// Which of the faces in one plane in which the solid begins: the first by the rule of ties whose
 /// operand makes the solid begin there, alone or with others. That hangs on what is united and
 /// intersected, and not on how the expression is written.
-Index SolidSweep::choose(std::span<const Layer> group) {
+Index SolidSweep::choose(SolidExpression::State& state, std::span<const Layer> group) {
   operands_.clear(), candidates_.clear();
   std::sort(changed_.begin(), changed_.end());
   for (std::size_t i = 0; i < changed_.size(); ++i) {
@@ -365,40 +407,41 @@ Index SolidSweep::choose(std::span<const Layer> group) {
   std::sort(candidates_.begin(), candidates_.end(),
             [&](Index f, Index g) { return wins_tie(c, f, g); });
   for (const Index face : candidates_)
-    if (needed(c.memberships[c.faces[face].body].operand, operands_)) return face;
+    if (needed(state, c.memberships[c.faces[face].body].operand, operands_)) return face;
   return candidates_.empty() ? group.front().face : candidates_.front();
 }
 
 /// True when there are changes with which the solid does not begin without the operand's, and does
 /// with it. All are tried where they are few, each one flip from the one before (a Gray code);
 /// where they are many, the others one after the other taken back until it does not.
-bool SolidSweep::needed(Index operand, std::span<const Index> changed) {
+bool SolidSweep::needed(SolidExpression::State& state, Index operand,
+                        std::span<const Index> changed) {
   constexpr std::size_t kFew = 10;
   others_.clear();
   for (const Index other : changed)
     if (other != operand) others_.push_back(other);
   const auto flips_the_solid = [&] {
-    if (state_->inside()) return false;
-    state_->flip(operand);
-    const bool result = state_->inside();
-    state_->flip(operand);
+    if (state.inside()) return false;
+    state.flip(operand);
+    const bool result = state.inside();
+    state.flip(operand);
     return result;
   };
   made_.assign(others_.size(), 1);
-  const auto flip_other = [&](std::size_t i) { state_->flip(others_[i]), made_[i] ^= 1; };
-  state_->flip(operand);
+  const auto flip_other = [&](std::size_t i) { state.flip(others_[i]), made_[i] ^= 1; };
+  state.flip(operand);
   // With all others made it began there: without this one it does not.
-  bool result = !state_->inside();
+  bool result = !state.inside();
   if (others_.size() <= kFew) {
     for (std::size_t step = 1; !result && step < std::size_t{1} << others_.size(); ++step) {
       flip_other(static_cast<std::size_t>(std::countr_zero(step)));
       result = flips_the_solid();
     }
   } else if (!result) {
-    for (std::size_t i = 0; i < others_.size() && state_->inside(); ++i) flip_other(i);
+    for (std::size_t i = 0; i < others_.size() && state.inside(); ++i) flip_other(i);
     result = flips_the_solid();
   }
-  state_->flip(operand);
+  state.flip(operand);
   for (std::size_t i = 0; i < others_.size(); ++i)
     if (made_[i] == 0) flip_other(i);
   return result;

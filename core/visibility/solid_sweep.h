@@ -29,15 +29,21 @@ class SolidSweep {
   SolidSweep& operator=(const SolidSweep&) = delete;
 
   /// Goes to the left of all edges of a solid's operands on the level, on which it is not asked
-  /// farther than `reach` from the grid's origin. The order must outlive what is asked.
-  void begin(const SolidExpression& expression, const LayerOrder& order, double y, double reach);
+  /// farther than `reach` from the grid's origin. The order must outlive what is asked. `uncut`
+  /// (may be null) is the solid with nothing taken from it; what of that was cut away is then
+  /// looked for too.
+  void begin(const SolidExpression& expression, const LayerOrder& order, double y, double reach,
+             const SolidExpression* uncut = nullptr);
   /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
   void end_at_layer();
   /// Passes an edge between two faces (the second may be kNone) from left to right.
   void pass(const std::array<Index, 2>& faces);
   /// Appends what is seen from where edges were passed last to where the next one is. The face of
   /// `over` is not looked at. Where nothing is seen, there is no piece.
-  void span(const SpanPiece& over, std::vector<SpanPiece>& pieces);
+  void span(const SpanPiece& over, std::vector<SpanPiece>& pieces) { span(over, pieces, pieces); }
+  /// Appends to `cut_away` where the solid with nothing taken from it is seen before what is left.
+  void span(const SpanPiece& over, std::vector<SpanPiece>& pieces,
+            std::vector<SpanPiece>& cut_away);
 
  private:
   /// An active face, and its depth on the level: slope x + constant, larger is nearer.
@@ -52,15 +58,26 @@ class SolidSweep {
     Index before = kNone;
     double before_until = 0;
   };
+  /// A set, and what is seen of it as long as nothing changes among the first `decided` layers,
+  /// which decide it.
+  struct Candidate {
+    const SolidExpression* expression = nullptr;
+    std::optional<SolidExpression::State> state;
+    bool known = false;
+    Index face = kNone;
+    std::size_t decided = 0;
+  };
   /// A crossing of two neighbours in depth.
   struct Crossing {
     double x;
     std::size_t first;  ///< of the two layers
   };
-  void count_work();
+  void follow(Candidate& candidate, const SolidExpression* expression);
+  void stop(Candidate& candidate);
   Layer layer_of(Index face) const;
   void settle(double low, double high);
   void forget_last_span();
+  void forget_seen();
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void toggle_at_end(Index face);
@@ -75,18 +92,18 @@ class SolidSweep {
   void changed_at(std::size_t at);
   bool ties(std::size_t at) const;
   bool stands_clear(std::size_t at) const;
-  Index seen();
-  Index find_seen();
-  Index enter(std::span<const Layer> group);
-  Index choose(std::span<const Layer> group);
-  bool needed(Index operand, std::span<const Index> changed);
+  Index seen(Candidate& of);
+  Index cut_away();
+  Index find_seen(Candidate& of);
+  Index enter(SolidExpression::State& state, std::span<const Layer> group);
+  Index choose(SolidExpression::State& state, std::span<const Layer> group);
+  bool needed(SolidExpression::State& state, Index operand, std::span<const Index> changed);
 
   const Canonical& canonical_;
   const LayerOrder* order_ = nullptr;
   SolidOptions options_;
   SolidCounts counts_;
-  const SolidExpression* expression_ = nullptr;
-  std::optional<SolidExpression::State> state_;
+  Candidate solid_, uncut_;  ///< uncut_: of no expression where it is not asked for
   double y_ = 0, reach_ = 0;
   std::uint64_t settlings_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
@@ -95,10 +112,6 @@ class SolidSweep {
   std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it
   std::vector<std::array<Index, 2>> passed_;
   std::vector<Index> entering_;
-  // What is seen, as long as nothing changes among the first `decided_` layers, which decide it.
-  bool known_ = false;
-  Index seen_ = kNone;
-  std::size_t decided_ = 0;
   std::vector<int> winding_;  ///< per operand; 0 between two questions
   std::vector<int> turned_;   ///< of that by the faces of one plane; 0 between two questions
   std::vector<Index> entered_, changed_, operands_, candidates_, others_;

@@ -115,7 +115,10 @@ TEST(Solids, AHoleThatEndsFlushWithBothFacesIsOpen) {
     scene.bodies.push_back(body);
   }
   scene.solids.push_back(
-      {{{kSubtract, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}});
+      {{{kSubtract, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}},
+       {},
+       {},
+       0});
   scene.camera = {Vec3(0), 50.0, {0, 90}, {}, {}, {0, 0, 1}, true, 20.0, {}, {}};
   Drawing drawing(scene, kGrid, {});
   drawing.runs({0, 100, 20.25}, [&](const RunRow& row) {
@@ -153,7 +156,7 @@ TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
   sheet.name = "lid";
   scene.bodies = {box, sheet};
   scene.solids.push_back(
-      {{{kUnite, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}});
+      {{{kUnite, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}, 0});
   try {
     const Drawing drawing(scene, kGrid, {});
     FAIL();

@@ -22,6 +22,12 @@ class TreeMaker {
     scene.camera.from = {static_cast<double>(below(72)) * 5 + 1,
                          static_cast<double>(below(17)) * 10 - 80};
     if (below(3) == 0) look_from_within(scene.camera);
+    return scene;
+  }
+
+  /// The same, often in light, on a ground, and beside a body that stands for itself.
+  Scene make_lit() {
+    Scene scene = make();
     if (below(3) != 0) light(scene);
     return scene;
   }

@@ -101,20 +101,10 @@ int strokes_on_nothing(const Picture& picture, const Oracle& oracle, std::string
   return wrong;
 }
 
-/// Lines in a plane that faces of two bodies share are drawn for both.
-void leave_the_solid(Scene& scene) {
-  Index operands = 0;
-  for (const SolidNode& node : scene.solids.front().nodes)
-    operands += node.operation == SetOperation::operand;
-  scene.bodies.resize(operands);
-}
-
 TEST(SolidStrokes, RunWhereWhatIsSeenChangesItsPlane) {
   std::size_t strokes = 0;
   for (int n = 0; n < kTrees; ++n) {
-    Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
-    scene.light.reset(), scene.ground_z.reset();
-    leave_the_solid(scene);
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
     const Picture picture(scene);
     const Oracle oracle(*picture.canonical, picture.view);
     strokes += picture.strokes.size();

@@ -17,7 +17,7 @@ constexpr int kTrees = 60;
 TEST(Agreement, RandomTreesOfCoincidentOperands) {
   int skipped = 0;
   for (int n = 0; n < kTrees; ++n) {
-    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make_lit();
     Trial trial(scene, Grid{32, 40}, 2, "tree " + std::to_string(n));
     trial.judge(kPoints, kEnds);
     skipped += trial.skipped();

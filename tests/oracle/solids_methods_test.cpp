@@ -1,7 +1,11 @@
 // The laws: however a solid is resolved, the same is drawn, to the bit.
 #include <gtest/gtest.h>
 
+#include <iomanip>
+#include <sstream>
+
 #include "core/drawing.h"
+#include "core/visibility/solid_forms.h"
 #include "tests/oracle/random_trees.h"
 
 namespace overstrike::oracle {
@@ -16,6 +20,24 @@ struct Drawn {
   bool operator==(const Drawn& other) const { return runs == other.runs; }
 };
 
+/// Where operands coincide, which of their edges gives an end may hang on what else is there.
+bool same_but_for_rounding(const Drawn& a, const Drawn& b) {
+  constexpr double kRounding = 1e-12;
+  return std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(),
+                    [](double x, double y) { return std::fabs(x - y) <= kRounding; });
+}
+
+/// Where two differ first, for messages.
+std::string difference(const Drawn& a, const Drawn& b) {
+  if (a.runs.size() != b.runs.size())
+    return std::to_string(a.runs.size()) + " and " + std::to_string(b.runs.size()) + " numbers";
+  const auto [at, other] = std::mismatch(a.runs.begin(), a.runs.end(), b.runs.begin());
+  if (at == a.runs.end()) return "none";
+  std::ostringstream text;
+  text << std::setprecision(17) << *at << " and " << *other;
+  return text.str();
+}
+
 Drawn drawn(const Scene& scene, const DrawOptions& options) {
   Drawn result;
   Drawing drawing(scene, kGrid, options);
@@ -27,6 +49,130 @@ Drawn drawn(const Scene& scene, const DrawOptions& options) {
   });
   result.counts = drawing.timings().solids;
   return result;
+}
+
+/// Of the scene's solid a union of `nodes` and of X - X for bodies X: nothing, but then each may
+/// matter anywhere.
+Scene united_with_nothing(const Scene& scene, std::vector<SolidNode> nodes,
+                          const std::vector<Index>& bodies) {
+  Scene result = scene;
+  for (SolidNode& node : nodes) ++node.end;
+  nodes.insert(nodes.begin(), {SetOperation::unite, 0, 0});
+  for (const Index body : bodies) {
+    const auto at = static_cast<Index>(nodes.size());
+    const auto copy = static_cast<Index>(result.bodies.size());
+    result.bodies.push_back(scene.bodies[body]);
+    nodes.insert(nodes.end(), {{SetOperation::subtract, 0, at + 3},
+                               {SetOperation::operand, body, at + 2},
+                               {SetOperation::operand, copy, at + 3}});
+  }
+  nodes[0].end = static_cast<Index>(nodes.size());
+  result.solids[0].nodes = std::move(nodes);
+  return result;
+}
+
+/// Copies stand in the tree itself, as a body is an operand once.
+Scene with_nothing_of_each(const Scene& scene) {
+  Scene copied = scene;
+  std::vector<Index> bodies;
+  for (SolidNode& node : copied.solids[0].nodes) {
+    if (node.operation != SetOperation::operand) continue;
+    bodies.push_back(node.body);
+    copied.bodies.push_back(scene.bodies[node.body]);
+    node.body = static_cast<Index>(copied.bodies.size() - 1);
+  }
+  return united_with_nothing(copied, copied.solids[0].nodes, bodies);
+}
+
+/// The scene with nothing taken from its solid. What is no operand of it any more changes nothing,
+/// so that the view stays what it is.
+Scene with_nothing_taken(const Scene& scene) {
+  const std::vector<SolidNode> kept = uncut(scene.solids[0].nodes);
+  std::vector<Index> taken;
+  for (Index body = 0; body < scene.bodies.size(); ++body)
+    if (std::none_of(kept.begin(), kept.end(), [&](const SolidNode& node) {
+          return node.operation == SetOperation::operand && node.body == body;
+        }))
+      taken.push_back(body);
+  return united_with_nothing(scene, kept, taken);
+}
+
+TEST(SolidMethods, SumsOfProductsDrawWhatTreesDo) {
+  DrawOptions tree, products, few;
+  tree.boolean = BooleanForm::tree, products.boolean = BooleanForm::products;
+  SolidCounts of_trees, of_products;
+  for (int n = 0; n < kTrees; ++n) {
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    const Drawn by_tree = drawn(scene, tree), by_products = drawn(scene, products);
+    ASSERT_EQ(by_products, by_tree) << n << ": " << difference(by_products, by_tree);
+    ASSERT_EQ(drawn(scene, few), by_tree) << n;
+    of_trees += by_tree.counts, of_products += by_products.counts;
+  }
+  EXPECT_NE(of_products.updates, of_trees.updates);
+}
+
+TEST(SolidMethods, OperandsBeyondWhereTheyMatterChangeNothing) {
+  DrawOptions options;
+  options.boolean = BooleanForm::tree;
+  SolidCounts clipped, whole;
+  int same = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    const Drawn one = drawn(scene, options), other = drawn(with_nothing_of_each(scene), options);
+    ASSERT_TRUE(same_but_for_rounding(one, other)) << n << ": " << difference(one, other);
+    same += one == other;
+    clipped += one.counts, whole += other.counts;
+  }
+  EXPECT_GT(same, kTrees * 9 / 10);
+  EXPECT_LT(clipped.flips, whole.flips);
+  EXPECT_LT(clipped.spans, whole.spans);
+}
+
+/// What is drawn at x, or paper.
+double density_at(const std::vector<DensityRun>& runs, double x) {
+  for (const DensityRun& r : runs)
+    if (r.x0 <= x && x < r.x1)
+      return r.density0 + (r.density1 - r.density0) * ((x - r.x0) / (r.x1 - r.x0));
+  return 0;
+}
+
+std::vector<std::vector<DensityRun>> rows(const Scene& scene, const DrawOptions& options) {
+  std::vector<std::vector<DensityRun>> result;
+  Drawing drawing(scene, kGrid, options);
+  drawing.runs({0, 1, 0.5}, [&](const RunRow& row) {
+    result.emplace_back(row.runs.begin(), row.runs.end());
+    for (std::size_t i = 1; i < row.runs.size(); ++i)
+      EXPECT_LE(row.runs[i - 1].x1, row.runs[i].x0) << "runs are disjoint and sorted";
+  });
+  return result;
+}
+
+TEST(SolidMethods, WhatWasCutAwayIsMixedIntoWhatIsLeft) {
+  constexpr double kFactor = 0.25, kRounding = 1e-12;
+  DrawOptions solid, mixed;
+  mixed.translucent = kFactor;
+  Random random(5);
+  int as_left = 0, as_mixed = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    const auto left = rows(scene, solid), before = rows(with_nothing_taken(scene), solid),
+               both = rows(scene, mixed);
+    for (std::size_t row = 0; row < left.size(); ++row)
+      for (int i = 0; i < 20; ++i) {
+        const double x = random.in(0, kGrid.columns);
+        const double s = density_at(left[row], x), w = density_at(before[row], x);
+        const double found = density_at(both[row], x), expected = (1 - kFactor) * s + kFactor * w;
+        // What is seen of the solid itself may lie as near as what is seen of it uncut.
+        const bool is_left = s > 0 && std::fabs(found - s) < kRounding;
+        const bool is_mixed = std::fabs(found - expected) < kRounding;
+        ASSERT_TRUE(is_left || is_mixed)
+            << n << " " << row << " " << x << ": " << found << ", left " << s << ", before " << w;
+        as_left += is_left && !is_mixed, as_mixed += is_mixed && !is_left;
+      }
+  }
+  // Where the two have different tones, it is because something was cut away, or by a tie.
+  EXPECT_GT(as_mixed, 1000);
+  EXPECT_LT(as_left, as_mixed / 5);
 }
 
 TEST(SolidMethods, CoherenceChangesTheWorkAndNotThePicture) {

@@ -174,9 +174,10 @@ class Expander {
 
   /// A tree of its own, or a node of the one that it stands in.
   void combine(const Part& part, const Combination& combination, const Inherited& mine) {
-    Solid solid{{}, std::string(mine.name), reporter_.place(part.mark)};
+    Solid solid{{}, std::string(mine.name), reporter_.place(part.mark), 0};
     const bool is_root = solid_ == nullptr;
     if (is_root) solid_ = &solid;
+    solid_->translucent = std::max(solid_->translucent, combination.translucent);
     const std::size_t node = begin(combination.operation);
     for (const Part& member : combination.members) add(member, mine);
     end(node);

@@ -19,11 +19,11 @@ constexpr S kCamera[] = {"look-at", "distance",   "azimuth", "elevation", "eye",
 constexpr S kDensity[] = {"k", "hmax", "ground-shadow", "cut"};
 // what it is first, then how it looks, then where it stands
 constexpr S kBody[] = {
-    "box",         "prism",   "cylinder",  "pyramid",   "cone",       "frustum",      "wedge",
-    "tetrahedron", "sphere",  "ellipsoid", "torus",     "extrusion",  "revolution",   "sweep",
-    "polyhedron",  "polygon", "mesh",      "union",     "difference", "intersection", "group",
-    "use",         "name",    "density",   "shading",   "pen",        "patterns",     "scale",
-    "mirror",      "rotate",  "at",        "transform", "array"};
+    "box",         "prism",   "cylinder",  "pyramid", "cone",       "frustum",      "wedge",
+    "tetrahedron", "sphere",  "ellipsoid", "torus",   "extrusion",  "revolution",   "sweep",
+    "polyhedron",  "polygon", "mesh",      "union",   "difference", "intersection", "group",
+    "use",         "name",    "density",   "shading", "pen",        "patterns",     "translucent",
+    "scale",       "mirror",  "rotate",    "at",      "transform",  "array"};
 constexpr std::size_t kContents = 22;
 static_assert(kBody[kContents - 1] == "use");
 constexpr S kPattern[] = {"points", "closed", "pen"};

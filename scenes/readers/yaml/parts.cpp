@@ -40,7 +40,7 @@ void read_content(Part& part, const Fields& f, std::string_view key, MeshFiles& 
   const Node& value = *f.find(key);
   for (const auto& [name, operation] : kOperations)
     if (key == name) {
-      part.content = Combination{operation, read_parts(f.reporter(), value, key, meshes)};
+      part.content = Combination{operation, read_parts(f.reporter(), value, key, meshes), 0};
       return;
     }
   if (key == "group") {
@@ -62,6 +62,20 @@ void read_patterns(Part& part, const Fields& f, std::string_view content) {
                        "give them to a body inside");
   for (const Node* one : list(f.reporter(), *patterns, "patterns", "patterns {points, pen}"))
     part.patterns.push_back(read_polyline(Fields(f.reporter(), *one, kPatternMap)));
+}
+
+void read_translucent(Part& part, const Fields& f, std::string_view content) {
+  const Node* translucent = f.find("translucent");
+  if (!translucent) return;
+  const double factor = f.number_or("translucent", 0, kZeroToOne);
+  if (auto* combination = std::get_if<Combination>(&part.content)) {
+    combination->translucent = factor;
+  } else {
+    f.reporter().error(
+        translucent->mark,
+        "translucent shows what was cut away of a solid, not of a " + in_quotes(content),
+        "give it to a difference");
+  }
 }
 
 void read_looks(Part& part, const Fields& f) {
@@ -92,6 +106,7 @@ Part read_part(Reporter& reporter, const Node& node, MeshFiles& meshes) {
   if (!key.empty()) {
     read_content(part, f, key, meshes);
     read_patterns(part, f, key);
+    read_translucent(part, f, key);
   }
   read_looks(part, f);
   part.placement = read_placement(f);

@@ -23,6 +23,7 @@ struct Use {
 struct Combination {
   SetOperation operation;
   std::vector<Part> members;
+  double translucent = 0;
 };
 
 /// How much a part becomes, copies counted; each number stops at kUncountable.
