@@ -7,59 +7,26 @@ namespace {
 
 SlackLine line_of(const FrontSide& s) { return {s.x0, s.y0, s.y1, s.slope, s.slack}; }
 
-/// The difference of two depths over the grid, linear but for rounding of at most `error` within
-/// the columns and levels.
-struct Difference {
-  double a, b, c, error;
-
-  Difference(const DepthPlane& p, const DepthPlane& q, double columns, double levels)
-      : a(p.a - q.a),
-        b(p.b - q.b),
-        c(p.c - q.c),
-        error((p.ea + q.ea) * columns + (p.eb + q.eb) * levels + (p.ec + q.ec)) {}
-  double at(double x, double y) const { return a * x + b * y + c; }
-  /// The levels' own comparison must come out the same: what it computes is off by `error` here and
-  /// there, and takes `error` for doubt; its place by the slack of the line at either level.
-  double margin(double slack) const { return 3 * error + 2 * std::fabs(a) * slack; }
-};
-
 }  // namespace
-
-/// True when value(y), linear but for rounding that the margin covers, is at least the margin from
-/// y_ to until_, after until_ was brought nearer where need be.
-template <class Value>
-bool StretchKeeper::certify(double margin, const Value& value) {
-  const double now = value(y_);
-  if (!(now >= margin)) return false;
-  constexpr int kMostTurns = 4;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
-    const double then = value(until_);
-    if (then >= margin) return true;
-    // A little before the level where the margin is reached.
-    constexpr double kLittle = 0x1p-10;
-    until_ = y_ + (until_ - y_) * ((now - margin) / (now - then) - kLittle);
-    if (!(until_ >= least_)) return false;
-  }
-  return false;
-}
 
 /// Each x_at is off by less than its slack, here and there.
 bool StretchKeeper::apart(const SlackLine& a, const SlackLine& b) {
-  return certify(3 * (a.slack + b.slack), [&](double y) { return b.x_at(y) - a.x_at(y); });
+  return sure_.certify(3 * (a.slack + b.slack), [&](double y) { return b.x_at(y) - a.x_at(y); });
 }
 
 double StretchKeeper::keep(double y, double least, const SlackLine& left, const SlackLine& right,
                            std::span<const std::span<const FrontSide>> fronts,
                            std::vector<KeptPiece>& pieces) {
-  y_ = y, least_ = least;
+  sure_ = {y, y, least};
   first_piece_ = pieces.size();
   bool sure = begin(left, right, fronts);
   for (SlackLine from = left; sure;) {
     const Passing* first = nullptr;
     for (const Passing& p : passing_)
-      if (p.next() != nullptr && (first == nullptr || p.next()->x_at(y_) < first->next()->x_at(y_)))
+      if (p.next() != nullptr &&
+          (first == nullptr || p.next()->x_at(sure_.y) < first->next()->x_at(sure_.y)))
         first = &p;
-    const bool inside = first != nullptr && first->next()->x_at(y_) < right.x_at(y_);
+    const bool inside = first != nullptr && first->next()->x_at(sure_.y) < right.x_at(sure_.y);
     const SlackLine to = inside ? line_of(*first->next()) : right;
     sure = apart(from, to) && span(from, to, pieces);
     if (!inside) {
@@ -71,7 +38,7 @@ double StretchKeeper::keep(double y, double least, const SlackLine& left, const 
     ++passing_[static_cast<std::size_t>(first - passing_.data())].at;
     from = to;
   }
-  if (sure && until_ >= least_) return until_;
+  if (sure && sure_.until >= sure_.least) return sure_.until;
   pieces.resize(first_piece_);
   return -HUGE_VAL;
 }
@@ -81,18 +48,19 @@ double StretchKeeper::keep(double y, double least, const SlackLine& left, const 
 bool StretchKeeper::begin(const SlackLine& left, const SlackLine& right,
                           std::span<const std::span<const FrontSide>> fronts) {
   passing_.clear();
-  until_ = std::min(left.y1, right.y1);
-  const double x0 = left.x_at(y_), x1 = right.x_at(y_);
+  sure_.until = std::min(left.y1, right.y1);
+  const double x0 = left.x_at(sure_.y), x1 = right.x_at(sure_.y);
   for (const std::span<const FrontSide> sides : fronts) {
     Passing p{sides, 0};
-    while (p.next() != nullptr && p.next()->x_at(y_) <= x0) ++p.at;
+    while (p.next() != nullptr && p.next()->x_at(sure_.y) <= x0) ++p.at;
     passing_.push_back(p);
-    until_ = std::min(until_, sides[p.at].y1);
-    do until_ = std::min(until_, sides[++p.at].y1);
-    while (p.at + 1 < sides.size() && sides[p.at].x_at(y_) < x1);
+    sure_.until = std::min(sure_.until, sides[p.at].y1);
+    do sure_.until = std::min(sure_.until, sides[++p.at].y1);
+    while (p.at + 1 < sides.size() && sides[p.at].x_at(sure_.y) < x1);
   }
-  return until_ >= least_ && std::all_of(passing_.begin(), passing_.end(),
-                                         [&](const Passing& p) { return stays_before(left, p); });
+  return sure_.until >= sure_.least &&
+         std::all_of(passing_.begin(), passing_.end(),
+                     [&](const Passing& p) { return stays_before(left, p); });
 }
 
 /// Sides before the one in hand are left of it but for their slack.
@@ -105,10 +73,10 @@ bool StretchKeeper::stays_before(const SlackLine& left, const Passing& passing) 
 }
 
 Index StretchKeeper::nearest(const SlackLine& line, double offset) const {
-  const double x = line.x_at(y_) + offset;
+  const double x = line.x_at(sure_.y) + offset;
   Index best = passing_[0].face();
   for (const Passing& p : std::span(passing_).subspan(1))
-    if (order_.in_front(p.face(), best, x, y_)) best = p.face();
+    if (order_.in_front(p.face(), best, x, sure_.y)) best = p.face();
   return best;
 }
 
@@ -116,20 +84,20 @@ Index StretchKeeper::nearest(const SlackLine& line, double offset) const {
 /// be off by the slack.
 bool StretchKeeper::surely_before(Index face, Index other, const SlackLine& line, double offset,
                                   double slack) {
-  const Difference d(order_.depth_of(face), order_.depth_of(other), columns_, levels());
-  return certify(d.margin(slack), [&](double y) { return d.at(line.x_at(y) + offset, y); });
+  const DepthDifference d(order_.depth_of(face), order_.depth_of(other), columns_, levels());
+  return sure_.certify(d.margin(slack), [&](double y) { return d.at(line.x_at(y) + offset, y); });
 }
 
 /// `face`, which is now seen before `other` there, stays so.
 bool StretchKeeper::before(Index face, Index other, const SlackLine& line, double offset) {
   if (order_.plane_of(face) == order_.plane_of(other)) return true;
-  const double until = until_;
+  const double until = sure_.until;
   if (surely_before(face, other, line, offset, line.slack)) return true;
   // Where the line is an edge in which the faces touch, what is exact half as far from it is so
   // everywhere farther, the rounding of x_at being less than a quarter of the slack.
-  until_ = until;
-  return order_.compare(face, other, line.x_at(y_) + offset / 2, y_) > 0 &&
-         order_.compare(face, other, line.x_at(until_) + offset / 2, until_) > 0;
+  sure_.until = until;
+  return order_.compare(face, other, line.x_at(sure_.y) + offset / 2, sure_.y) > 0 &&
+         order_.compare(face, other, line.x_at(sure_.until) + offset / 2, sure_.until) > 0;
 }
 
 bool StretchKeeper::before_all(Index face, const SlackLine& line, double offset) {
@@ -140,15 +108,16 @@ bool StretchKeeper::before_all(Index face, const SlackLine& line, double offset)
 
 /// The same where the depth of `face` is that of `other`.
 bool StretchKeeper::before_all_at_crossing(Index face, Index other, double slack) {
-  const Difference crossing(order_.depth_of(face), order_.depth_of(other), columns_, levels());
+  const DepthDifference crossing(order_.depth_of(face), order_.depth_of(other), columns_, levels());
   for (const Passing& p : passing_) {
     const Index plane = order_.plane_of(p.face());
     if (plane == order_.plane_of(face) || plane == order_.plane_of(other)) continue;
-    const Difference d(order_.depth_of(face), order_.depth_of(p.face()), columns_, levels());
+    const DepthDifference d(order_.depth_of(face), order_.depth_of(p.face()), columns_, levels());
     const auto value = [&](double y) {
       return d.at(-(crossing.b * y + crossing.c) / crossing.a, y);
     };
-    if (!certify(d.margin(slack + crossing.error / std::fabs(crossing.a)), value)) return false;
+    if (!sure_.certify(d.margin(slack + crossing.error / std::fabs(crossing.a)), value))
+      return false;
   }
   return true;
 }

@@ -16,18 +16,11 @@
 #include <span>
 #include <vector>
 
+#include "core/visibility/depth_difference.h"
 #include "core/visibility/face_order.h"
 #include "core/visibility/front_walk.h"
 
 namespace overstrike {
-
-/// A line that the levels y0 <= y < y1 meet, with the bound on the error of x_at.
-struct SlackLine {
-  double x0, y0, y1, slope;
-  float slack;
-  bool operator==(const SlackLine&) const = default;
-  double x_at(double y) const { return x0 + (y - y0) * slope; }
-};
 
 /// A face that a stretch shows, and where its piece ends.
 struct KeptPiece {
@@ -57,8 +50,6 @@ class StretchKeeper {
     Index face() const { return sides[at].face; }
     const FrontSide* next() const { return at + 2 < sides.size() ? &sides[at + 1] : nullptr; }
   };
-  template <class Value>
-  bool certify(double margin, const Value& value);
   bool apart(const SlackLine& a, const SlackLine& b);
   bool begin(const SlackLine& left, const SlackLine& right,
              std::span<const std::span<const FrontSide>> fronts);
@@ -69,12 +60,12 @@ class StretchKeeper {
   bool before_all(Index face, const SlackLine& line, double offset);
   bool before_all_at_crossing(Index face, Index other, double slack);
   void show(Index face, const SlackLine& end, Index next, std::vector<KeptPiece>& pieces) const;
-  double levels() const { return std::max(std::fabs(y_), std::fabs(until_)); }
+  double levels() const { return std::max(std::fabs(sure_.y), std::fabs(sure_.until)); }
   Index nearest(const SlackLine& line, double offset) const;
 
   const FaceOrder& order_;
   double columns_;
-  double y_ = 0, least_ = 0, until_ = 0;
+  SureLevels sure_{};
   std::size_t first_piece_ = 0;  ///< of the stretch
   std::vector<Passing> passing_;
 };

@@ -78,7 +78,7 @@ void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
     active_.clear();
   }
   passing_.clear();
-  append(sides);
+  append_sides(pieces_, sides);
 }
 
 void LooseResolver::span(double x0, double x1, double y, double slack0, double slack1) {
@@ -91,14 +91,14 @@ void LooseResolver::span(double x0, double x1, double y, double slack0, double s
   }
 }
 
-void LooseResolver::append(std::vector<RowSide>& sides) const {
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const SpanPiece& p = pieces_[i];
-    const bool continues = i > 0 && pieces_[i - 1].x1 == p.x0;
-    if (i > 0 && !continues) sides.push_back({pieces_[i - 1].x1, kNone, pieces_[i - 1].slack1});
+void append_sides(const std::vector<SpanPiece>& pieces, std::vector<RowSide>& sides) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SpanPiece& p = pieces[i];
+    const bool continues = i > 0 && pieces[i - 1].x1 == p.x0;
+    if (i > 0 && !continues) sides.push_back({pieces[i - 1].x1, kNone, pieces[i - 1].slack1});
     if (!(continues && sides.back().face == p.face)) sides.push_back({p.x0, p.face, p.slack0});
   }
-  if (!pieces_.empty()) sides.push_back({pieces_.back().x1, kNone, pieces_.back().slack1});
+  if (!pieces.empty()) sides.push_back({pieces.back().x1, kNone, pieces.back().slack1});
 }
 
 }  // namespace overstrike

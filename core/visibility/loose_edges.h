@@ -48,6 +48,10 @@ struct RowSide {
   float slack;  ///< bound on the error of x
 };
 
+/// Appends pieces of one body as sides from left to right; a side of no face ends each connected
+/// stretch.
+void append_sides(const std::vector<SpanPiece>& pieces, std::vector<RowSide>& sides);
+
 /// Resolves a body or a solid alone. One a thread.
 class LooseResolver {
  public:
@@ -56,8 +60,7 @@ class LooseResolver {
 
   /// Adds an edge of the body in hand that meets the level.
   void add(const LooseEdge& edge, double y);
-  /// Appends what is seen of the body whose edges were added, as sides from left to right; a side
-  /// of no face ends each connected stretch. Forgets the edges.
+  /// Appends what is seen of the body whose edges were added. Forgets the edges.
   void resolve(Index body, double y, std::vector<RowSide>& sides);
   /// What was cut away of solids that were resolved since this was cleared: where the uncut solid
   /// is seen before what is left of it. By solid, from left to right.
@@ -65,7 +68,6 @@ class LooseResolver {
 
  private:
   void span(double x0, double x1, double y, double slack0, double slack1);
-  void append(std::vector<RowSide>& sides) const;
 
   const FrontTable& table_;
   const FaceOrder& order_;

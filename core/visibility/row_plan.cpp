@@ -104,17 +104,54 @@ void RowPlanner::collect(double y) {
     fetch_ahead(i);
     collect_front(meeting_bodies_[i], y);
   }
+  collect_edges(y);
+}
+
+/// Bodies and solids that are resolved by their edges.
+void RowPlanner::collect_edges(double y) {
   const std::span<const LevelBands::Item> edges = table_.loose.near(y);
-  for (std::size_t i = 0; i < edges.size();) {
-    if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
-    const Index body = table_.loose[edges[i].number].body;
-    for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
-      if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
-    const std::size_t first = sides_->size();
-    loose_->resolve(body, y, *sides_);
-    add_stretches(body, first);
-    plan_->until = plan_->from;
+  if (edges.data() != band_.data() || edges.size() != band_.size()) {
+    band_ = edges;
+    body_ends_.clear();
+    const auto body = [&](std::size_t i) { return table_.loose[edges[i].number].body; };
+    for (std::size_t i = 1; i <= edges.size(); ++i)
+      if (i == edges.size() || body(i) != body(i - 1)) body_ends_.push_back(i);
   }
+  const auto is_kept = [&](Index body) {
+    if (table_.solids.coherence != Coherence::all || body <= table_.fronts.ground_body())
+      return false;
+    return !table_.fronts.canonical.solids[body - table_.fronts.solid_body(0)]->uncut;
+  };
+  std::size_t first = 0;
+  for (const std::size_t end : body_ends_) {
+    const Index body = table_.loose[edges[first].number].body;
+    const std::span<const LevelBands::Item> of_body = edges.subspan(first, end - first);
+    first = end;
+    plan_->until = plan_->from;
+    if (is_kept(body)) {
+      collect_kept_solid(body, y, of_body);
+      continue;
+    }
+    if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
+    for (const LevelBands::Item& item : of_body)
+      if (item.meets(y)) loose_->add(table_.loose[item.number], y);
+    const std::size_t first_side = sides_->size();
+    loose_->resolve(body, y, *sides_);
+    add_stretches(body, first_side);
+  }
+}
+
+void RowPlanner::collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges) {
+  const Index solid = body - table_.fronts.solid_body(0);
+  if (solids_.empty()) solids_.resize(table_.fronts.canonical.solids.size());
+  if (!solids_[solid])
+    solids_[solid] =
+        std::make_unique<SolidRows>(table_.fronts, faces_, table_.loose, solid, table_.solids);
+  solid_pieces_.clear();
+  solids_[solid]->on_level(y, edges, solid_pieces_);
+  const std::size_t first = sides_->size();
+  append_sides(solid_pieces_, *sides_);
+  add_stretches(body, first);
 }
 
 /// Small bodies lie all over the memory: what the next ones need is on its way while this one is

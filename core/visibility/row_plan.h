@@ -4,6 +4,7 @@
 // Fronts enter and leave from left to right. Between two such events the bodies present are the
 // same. Which of them are seen first follows from the events' order and from nothing else of the
 // level, so that a level at which the same sides meet it in the same order has the same plan.
+#include <memory>
 #include <vector>
 
 #include "core/visibility/body_order.h"
@@ -13,6 +14,7 @@
 #include "core/visibility/level_bands.h"
 #include "core/visibility/level_cover.h"
 #include "core/visibility/loose_edges.h"
+#include "core/visibility/solid_rows.h"
 
 namespace overstrike {
 
@@ -102,6 +104,8 @@ class RowPlanner {
   void fetch_ahead(std::size_t at) const;
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
+  void collect_edges(double y);
+  void collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges);
   void add_stretches(Index body, std::size_t first);
   void drop_hidden();
   void add_ends();
@@ -113,6 +117,11 @@ class RowPlanner {
   const FaceOrder& faces_;
   FrontWalker& walker_;
   std::optional<LooseResolver> loose_;
+  std::vector<std::unique_ptr<SolidRows>> solids_;  ///< each made when it is first met
+  std::vector<SpanPiece> solid_pieces_;
+  /// Of the band of edges in hand: where one body's end.
+  std::span<const LevelBands::Item> band_;
+  std::vector<std::size_t> body_ends_;
   // The plan that is being made.
   RowPlan* plan_ = nullptr;
   std::span<const Index> not_walkable_;

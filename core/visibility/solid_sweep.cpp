@@ -38,7 +38,7 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
   order_ = &order;
   y_ = y, reach_ = reach;
   layers_.clear(), passed_.clear(), at_end_.clear();
-  ends_ = false;
+  ends_ = resumed_ = false;
 }
 
 void SolidSweep::end_at_layer() {
@@ -54,6 +54,16 @@ void SolidSweep::end_at_layer() {
             false};
   layers_.push_back(end);
   ends_ = true;
+}
+
+void SolidSweep::resume(std::span<const Index> faces) {
+  for (const Index face : faces) layers_.push_back(layer_of(face));
+  resumed_ = true;
+}
+
+void SolidSweep::copy_active(std::vector<Index>& faces) const {
+  faces.clear();
+  for (const Layer& layer : layers_) faces.push_back(layer.face);
 }
 
 void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(faces); }
@@ -169,7 +179,8 @@ void SolidSweep::toggle_at_end(Index face) {
 void SolidSweep::settle(double low, double high) {
   low_ = low, high_ = high, ++settlings_;
   entering_.clear();
-  bool any_fresh = false;
+  bool any_fresh = resumed_;
+  resumed_ = false;
   for (const auto& [f, g] : passed_) {
     if (g == kNone) {
       toggle(f);
@@ -311,14 +322,26 @@ void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces,
   if (!(low < high)) low = high = over.x0 + (over.x1 - over.x0) / 2;
   settle(low, high);
   Showing solid(over, seen(solid_), pieces), before(over, cut_away(), cut_away_pieces);
+  if (record_ != nullptr) record({kNone, kNone});
   for (double x = low; const std::optional<Crossing> next = next_crossing(x);) {
     x = next->x;
+    const std::array<Index, 2> crossing{layers_[next->first].face, layers_[next->first + 1].face};
     exchange(next->first);
+    const bool decides = !solid_.known;
     solid.change_at(x, low, seen(solid_));
     before.change_at(x, low, cut_away());
+    if (decides && record_ != nullptr) record(crossing);
   }
   solid.end_at(over.x1, over.slack1);
   before.end_at(over.x1, over.slack1);
+}
+
+void SolidSweep::record(const std::array<Index, 2>& crossing) {
+  const std::size_t first = record_->faces.size();
+  for (const Layer& layer : layers_) record_->faces.push_back(layer.face);
+  const std::size_t end = record_->faces.size();
+  record_->parts.push_back(
+      {crossing, solid_.face, first, std::min(first + solid_.decided, end), end});
 }
 
 /// What is seen of the uncut solid where that lies before what is seen of the solid, or kNone.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/visibility/layer_order.h"
@@ -17,6 +18,22 @@
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
+
+/// What decided in one span what is seen, in its parts from left to right.
+struct SpanRecord {
+  struct Part {
+    /// The layers whose crossing it begins with: the nearer one before that and the farther one;
+    /// kNone: it begins with the span.
+    std::array<Index, 2> crossing;
+    Index seen;  ///< kNone: nothing
+    /// Of `faces`: those that decided, from near to far, up to `decided`, and what lies behind
+    /// them.
+    std::size_t first, decided, end;
+  };
+  std::vector<Part> parts;
+  std::vector<Index> faces;
+  void clear() { parts.clear(), faces.clear(); }
+};
 
 /// Goes over one level after the other. One a thread.
 class SolidSweep {
@@ -36,6 +53,12 @@ class SolidSweep {
              const SolidExpression* uncut = nullptr);
   /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
   void end_at_layer();
+  /// As if edges had been passed so that these faces are active; in any order.
+  void resume(std::span<const Index> faces);
+  /// The active faces.
+  void copy_active(std::vector<Index>& faces) const;
+  /// Spans are recorded there (null: not).
+  void record_in(SpanRecord* record) { record_ = record; }
   /// Passes an edge between two faces (the second may be kNone) from left to right.
   void pass(const std::array<Index, 2>& faces);
   /// Appends what is seen from where edges were passed last to where the next one is. The face of
@@ -72,6 +95,7 @@ class SolidSweep {
     double x;
     std::size_t first;  ///< of the two layers
   };
+  void record(const std::array<Index, 2>& crossing);
   void follow(Candidate& candidate, const SolidExpression* expression);
   void stop(Candidate& candidate);
   Layer layer_of(Index face) const;
@@ -108,6 +132,8 @@ class SolidSweep {
   std::uint64_t settlings_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
+  bool resumed_ = false;       ///< in any order
+  SpanRecord* record_ = nullptr;
   bool ends_ = false;          ///< one of them is kEnd
   std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it
   std::vector<std::array<Index, 2>> passed_;

@@ -38,10 +38,10 @@ std::string difference(const Drawn& a, const Drawn& b) {
   return text.str();
 }
 
-Drawn drawn(const Scene& scene, const DrawOptions& options) {
+Drawn drawn(const Scene& scene, const DrawOptions& options, double spacing = 0.5) {
   Drawn result;
   Drawing drawing(scene, kGrid, options);
-  drawing.runs({0, 0.5, 0.25}, [&](const RunRow& row) {
+  drawing.runs({0, spacing, spacing / 2}, [&](const RunRow& row) {
     result.runs.push_back(static_cast<double>(row.index));
     for (const DensityRun& r : row.runs)
       result.runs.insert(result.runs.end(),
@@ -198,6 +198,21 @@ TEST(SolidMethods, CoherenceChangesTheWorkAndNotThePicture) {
   EXPECT_LT(span.decisions, none.decisions);
   EXPECT_LT(behind.decisions, span.decisions);
   EXPECT_LT(behind.updates, none.updates);
+}
+
+/// Lines so near to one another that most of what they show is kept from the one before.
+TEST(SolidMethods, WhatIsKeptFromLineToLineIsWhatLinesShowByThemselves) {
+  SolidCounts kept, anew;
+  for (int n = 0; n < kTrees; ++n) {
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    DrawOptions all, behind;
+    behind.coherence = Coherence::span_and_behind;
+    all.threads = behind.threads = 1;
+    const Drawn one = drawn(scene, all, 1.0 / 32), other = drawn(scene, behind, 1.0 / 32);
+    ASSERT_EQ(one, other) << n << ": " << difference(one, other);
+    kept += one.counts, anew += other.counts;
+  }
+  EXPECT_LT(kept.spans, anew.spans / 4);
 }
 
 }  // namespace
