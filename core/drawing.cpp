@@ -185,13 +185,9 @@ struct Drawing::Impl {
   /// What cannot be drawn of solids, the first of which the scene names at `place`.
   void check_solids(const Place& place) {
     if (whole->solids.empty()) return;
-    place_of_solid = place;
     if (options.method == Method::nn74)
       throw InputError(place, "method nn74 draws no unions, differences and intersections",
                        "method line draws them");
-    if (whole->light)
-      throw InputError(place, "unions, differences and intersections have no shadows so far",
-                       "draw them without light: light: none");
   }
 
   void clip_near() {
@@ -267,7 +263,6 @@ struct Drawing::Impl {
   std::shared_ptr<const Canonical> whole;
   Canonical cut;
   bool clipped = false;
-  Place place_of_solid;  ///< of the first, for what cannot be drawn of solids
   // Of the line resolver, each made when it is first wanted.
   std::unique_ptr<ShadowCaster> caster_;
   std::optional<std::vector<Shadow>> shadows_;
@@ -432,10 +427,6 @@ void Drawing::runs(const ScanFamily& family, const std::function<void(const RunR
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
   const FloatEnvironment ours;
   Impl& impl = *impl_;
-  if (!impl.seen().solids.empty())
-    throw InputError(impl.place_of_solid,
-                     "unions, differences and intersections have no strokes so far",
-                     "draw them on a device of runs or cells: a page, a picture");
   const std::vector<Shadow>& shadows = impl.shadows();
   Stopwatch watch;
   std::vector<Stroke> strokes =

@@ -6,19 +6,17 @@
 namespace overstrike {
 namespace {
 
+/// Of an operand's edge more is known where its solid is resolved (solid_edges.h).
 std::optional<StrokeKind> kind_of(const ProjectedScene& scene, const WingedEdge& e) {
   const Canonical& c = scene.canonical;
   const bool left = scene.seen(e.left), right = scene.seen(e.right);
   if (!left && !right) return std::nullopt;
   if (c.faces[e.left].cut || (e.right != kNone && c.faces[e.right].cut))
     return StrokeKind::cut_outline;
+  if (c.membership(c.faces[e.left].body).solid != kNone) return StrokeKind::crease;
   if (left != right || scene.side(e.left) != scene.side(e.right)) return StrokeKind::contour;
   if (e.crease) return StrokeKind::crease;
   return std::nullopt;
-}
-
-bool wanted(StrokeKind kind, const StrokeOptions& options) {
-  return kind == StrokeKind::crease ? options.creases : options.contours;
 }
 
 LineEnd end_at(const ProjectedScene& scene, const Vec3& p) {
@@ -68,6 +66,25 @@ PatternPlane plane_under(const ProjectedScene& scene,
 
 }  // namespace
 
+bool wanted(StrokeKind kind, const StrokeOptions& options) {
+  switch (kind) {
+    case StrokeKind::contour:
+    case StrokeKind::cut_outline:
+      return options.contours;
+    case StrokeKind::crease:
+      return options.creases;
+    case StrokeKind::intersection:
+      return options.intersections;
+    case StrokeKind::shadow_outline:
+      return options.shadow_outlines;
+    case StrokeKind::pattern:
+      return options.patterns;
+    case StrokeKind::segment:
+      break;
+  }
+  return options.segments;
+}
+
 std::vector<char> curved_bodies(const Canonical& c) {
   std::vector<char> curved(c.bodies.size(), 0);
   for (const WingedEdge& e : c.edges)
@@ -82,12 +99,15 @@ void add_edges(const ProjectedScene& scene, const StrokeOptions& options,
   const std::vector<char> curved = curved_bodies(c);
   for (const WingedEdge& e : c.edges) {
     const std::optional<StrokeKind> kind = kind_of(scene, e);
-    if (!kind || !wanted(*kind, options)) continue;
+    const Index solid = c.membership(c.faces[e.left].body).solid;
+    if (!kind || (solid == kNone && !wanted(*kind, options))) continue;
     SightLine line{end_at(scene, e.from), end_at(scene, e.to), kNoPlanes, *kind,
                    c.faces[e.left].body};
     line.planes = {c.faces[e.left].plane, e.right == kNone ? kNone : c.faces[e.right].plane};
     line.pen = c.bodies[line.body].pen;
     line.curved = curved[line.body] != 0;
+    line.solids = {solid, solid};
+    line.smooth = solid != kNone && !e.crease;
     lines.push_back(std::move(line));
   }
 }
@@ -106,6 +126,7 @@ void add_patterns(const ProjectedScene& scene, double tolerance, std::vector<Sig
       if (on.face != kNone && !scene.seen(on.face)) continue;
       line.planes[0] = on.plane;
       line.pen = pattern.pen;
+      if (on.plane != kNone) line.solids[0] = scene.canonical.membership(pattern.body).solid;
       lines.push_back(std::move(line));
     }
   }

@@ -9,6 +9,8 @@
 
 namespace overstrike {
 
+bool wanted(StrokeKind kind, const StrokeOptions& options);
+
 /// Per body: 1 when its facets stand for curved surfaces.
 std::vector<char> curved_bodies(const Canonical& canonical);
 

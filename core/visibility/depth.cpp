@@ -56,6 +56,10 @@ DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& f
       rounded_[i][j] = cofactor.approximate();
       adjugate_[i][j] = std::move(cofactor);
     }
+  Expansion determinant;
+  for (int i = 0; i < 4; ++i)
+    determinant = determinant + Expansion(view.matrix[i][0]) * adjugate_[i][0];
+  orientation_ = determinant.sign();
   // A normal is of unit length but for rounding.
   for (int j = 0; j < 4; ++j)
     normal_size_[j] = 1.0001 * (std::fabs(rounded_[0][j]) + std::fabs(rounded_[1][j]) +
@@ -65,19 +69,7 @@ DepthMap::DepthMap(const std::vector<Plane>& planes, const std::vector<Plane>& f
 // A plane row vector pi becomes pi' = pi adj(M) (up to det M): pi' . (x^, y^, w^, z^) = 0 on it, so
 // z = -(pi'_x x + pi'_y y + pi'_w) / pi'_z.
 std::optional<DepthPlane> DepthMap::depth(Index number) const {
-  const Plane& p = plane(number);
-  double value[4], error[4];
-  for (int j = 0; j < 4; ++j) value[j] = component(p, j), error[j] = kDotError * size(p, j);
-  // Rows of the view's matrix are in the order x^, y^, w^, z^. When cancellation has left few
-  // digits of pi'_z, take them exactly.
-  constexpr double kDigitsWanted = 1e-13;
-  if (error[3] > kDigitsWanted * std::fabs(value[3])) {
-    const ExactPlane sure = exact(number);
-    for (int j = 0; j < 4; ++j) {
-      value[j] = sure[j].approximate();
-      error[j] = 2 * kEps * std::fabs(value[j]);
-    }
-  }
+  const auto [value, error] = rounded_with_depth(plane(number));
   if (value[3] == 0) return std::nullopt;
   const double over = 1 / value[3];
   const double relative =
@@ -92,8 +84,28 @@ std::optional<DepthPlane> DepthMap::depth(Index number) const {
   return d;
 }
 
-ExactPlane DepthMap::exact(Index number) const {
-  const Vec4 pi = homogeneous(plane(number));
+// Rows of the view's matrix are in the order x^, y^, w^, z^.
+DepthMap::RoundedPlane DepthMap::rounded(const Plane& plane) const {
+  RoundedPlane r;
+  for (int j = 0; j < 4; ++j)
+    r.value[j] = component(plane, j), r.error[j] = kDotError * size(plane, j);
+  return r;
+}
+
+DepthMap::RoundedPlane DepthMap::rounded_with_depth(const Plane& plane) const {
+  constexpr double kDigitsWanted = 1e-13;
+  RoundedPlane r = rounded(plane);
+  if (r.error[3] <= kDigitsWanted * std::fabs(r.value[3])) return r;
+  const ExactPlane sure = exact(plane);
+  for (int j = 0; j < 4; ++j) {
+    r.value[j] = sure[j].approximate();
+    r.error[j] = 2 * kEps * std::fabs(r.value[j]);
+  }
+  return r;
+}
+
+ExactPlane DepthMap::exact(const Plane& plane) const {
+  const Vec4 pi = homogeneous(plane);
   ExactPlane result;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) result[j] = result[j] + Expansion(pi[i]) * adjugate_[i][j];

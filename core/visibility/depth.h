@@ -48,7 +48,17 @@ class DepthMap {
   /// nullopt when the plane passes through the eye (exactly): it has no depth.
   std::optional<DepthPlane> depth(Index plane) const;
   /// The plane as the view's matrix takes it.
-  ExactPlane exact(Index plane) const;
+  ExactPlane exact(Index number) const { return exact(plane(number)); }
+  ExactPlane exact(const Plane& plane) const;
+  /// The same in doubles, each component off by `error` at most.
+  struct RoundedPlane {
+    std::array<double, 4> value, error;
+  };
+  RoundedPlane rounded(const Plane& plane) const;
+  /// Where cancellation has left few digits of z, all from exact arithmetic.
+  RoundedPlane rounded_with_depth(const Plane& plane) const;
+  /// Sign of the view's determinant.
+  int orientation() const { return orientation_; }
 
  private:
   friend class DepthRange;
@@ -67,6 +77,7 @@ class DepthMap {
   std::array<std::array<Expansion, 4>, 4> adjugate_;
   std::array<std::array<double, 4>, 4> rounded_;
   std::array<double, 4> normal_size_;  ///< bounds of the sums of a normal's terms
+  int orientation_;
 };
 
 /// Sign of the difference of two depths at the point of the grid where doubles can tell, else 0.

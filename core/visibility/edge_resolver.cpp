@@ -15,11 +15,12 @@ constexpr double kSliverErrors = 2 * 2 * 8;
 
 double sliver_of(const Ruler& ruler) { return kSliverErrors * ruler.error(); }
 
-Intervals EdgeResolver::visible(const SightLine& line) {
+std::vector<VisiblePart> EdgeResolver::visible(const SightLine& line) {
   const Ruler ruler(line.a.grid, line.b.grid);
   const Interval page = on_page(line);
   if (ruler.is_point() || !(page.first < page.second)) return {};
   hidden_[0].clear(), hidden_[1].clear();
+  solids_.clear(), shown_.clear();
   if (scene_.has_ground() && !line.lies_in(scene_.ground())) hide_below_ground(line);
   const double za = line.a.grid.at.z, zb = line.b.grid.at.z;
   const double behind =
@@ -33,15 +34,24 @@ Intervals EdgeResolver::visible(const SightLine& line) {
                  hide_behind(line, ruler, box.face);
                  return !(covers(hidden_[0]) && covers(hidden_[1]));
                });
-  unite(hidden_[0]), unite(hidden_[1]);
   const double sliver = sliver_of(ruler) / ruler.length();
+  if (!solids_.empty()) hide_by_solids(ruler, sliver);
+  unite(hidden_[0]), unite(hidden_[1]);
   const Intervals hidden = common(hidden_[0], hidden_[1]);
-  Intervals result;
-  for (const Interval& part : line.within) {
-    const Interval whole{std::max(part.first, page.first), std::min(part.second, page.second)};
-    for (const Interval& piece : without(whole, hidden, sliver)) result.push_back(piece);
-  }
+  std::vector<VisiblePart> result;
+  for (const SurfacePart& drawn : parts_on_surfaces(scene_.canonical, line, shown_, sliver))
+    for (const Interval& part : common(line.within, {drawn.over})) {
+      const Interval whole{std::max(part.first, page.first), std::min(part.second, page.second)};
+      for (const Interval& piece : without(whole, hidden, sliver))
+        result.push_back({piece, drawn.kind});
+    }
   return result;
+}
+
+void EdgeResolver::hide_by_solids(const Ruler& ruler, double sliver) {
+  solids_.resolve(ruler, sliver, shown_);
+  for (const SolidSight::Part& part : shown_)
+    if (part.hides) hidden_[part.side].push_back(part.over);
 }
 
 Intervals EdgeResolver::inside(const SightLine& line, Index face) {
@@ -70,20 +80,26 @@ Interval EdgeResolver::on_page(const SightLine& line) const {
 /// How much nearer the plane is than the line's end: 0 when the end lies on it by topology, or but
 /// for rounding. Rounding moves the end in depth, and across the slope of the plane; the plane
 /// itself was made from points with as much rounding, hence twice.
-double EdgeResolver::lead(const LineEnd& end, Index plane) const {
-  if (end.vertex != kNone && scene_.touches(end.vertex, plane)) return 0;
+Lead EdgeResolver::lead(const LineEnd& end, Index plane) const {
+  if (end.vertex != kNone && scene_.touches(end.vertex, plane)) return {0, 0};
   const DepthPlane& d = scene_.depth(plane);
   const Vec3& p = end.grid.at;
   const double lead = d.at(p.x, p.y) - p.z;
   const double moved = end.grid.depth_error + (std::fabs(d.a) + std::fabs(d.b)) * end.grid.error;
   const double plane_error = d.ea * std::fabs(p.x) + d.eb * std::fabs(p.y) + d.ec;
-  return std::fabs(lead) <= 2 * moved + plane_error ? 0 : lead;
+  const double error = 2 * moved + plane_error;
+  return {std::fabs(lead) <= error ? 0 : lead, error};
 }
 
 void EdgeResolver::hide_behind(const SightLine& line, const Ruler& ruler, Index face) {
-  const Index plane = scene_.canonical.faces[face].plane;
-  if (line.lies_in(plane)) return;
-  const Interval behind = positive_part(lead(line.a, plane), lead(line.b, plane));
+  const CanonicalFace& f = scene_.canonical.faces[face];
+  const bool operand = scene_.canonical.membership(f.body).solid != kNone;
+  const bool lies_in = line.lies_in(f.plane);
+  if (lies_in && !operand) return;
+  const Lead at_a = lies_in ? Lead{0, 0} : lead(line.a, f.plane),
+             at_b = lies_in ? Lead{0, 0} : lead(line.b, f.plane);
+  if (operand) return solids_.add(face, {at_a, at_b}, crossings_.over(face, ruler));
+  const Interval behind = positive_part(at_a.value, at_b.value);
   if (!(behind.first < behind.second)) return;
   const Passage& passage = crossings_.over(face, ruler);
   for (int side = 0; side < 2; ++side)

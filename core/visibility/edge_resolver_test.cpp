@@ -127,7 +127,8 @@ TEST_P(AgainstBruteForce, Agrees) {
   std::size_t compared[2] = {0, 0}, close = 0;
   for (const SightLine& line : lines) {
     const Ruler ruler(line.a.grid, line.b.grid);
-    const Intervals visible = resolver.visible(line);
+    Intervals visible;
+    for (const VisiblePart& part : resolver.visible(line)) visible.push_back(part.over);
     for (int i = 0; i < 6; ++i) {
       const Interval& part = line.within[static_cast<std::size_t>(i) % line.within.size()];
       if (ruler.length() * (part.second - part.first) < 1e-6) continue;  // rounding decides

@@ -33,6 +33,7 @@ class Crossings {
     pierce(f, q, direction, ours_);
     if (ours_.size() < 2) return;
     pierce(g, p, direction, theirs_);
+    solids_ = {solid_of(f), solid_of(g)};
     meet(std::min(f, g), {p, q}, curved(f) || curved(g));
   }
 
@@ -40,6 +41,7 @@ class Crossings {
     const Index p = c_.faces[f].plane, ground = scene_.ground();
     const Vec3 direction = glm::cross(c_.planes[p].normal, scene_.plane(ground).normal);
     pierce(f, ground, direction, ours_);
+    solids_ = {solid_of(f), kNone};
     for (std::size_t i = 0; i + 1 < ours_.size(); i += 2)
       add(f, {p, ground}, curved(f), ours_[i].at, ours_[i + 1].at);
   }
@@ -54,6 +56,7 @@ class Crossings {
   }
 
  private:
+  Index solid_of(Index face) const { return c_.membership(c_.faces[face].body).solid; }
   bool curved(Index face) const { return curved_[c_.faces[face].body] != 0; }
 
   /// Corners on the plane count as above it, so that of two faces that meet in an edge on the
@@ -103,7 +106,8 @@ class Crossings {
                       body,
                       c_.bodies[body].pen,
                       is_curved,
-                      {{0.0, 1.0}}});
+                      {{0.0, 1.0}},
+                      solids_});
   }
 
   const ProjectedScene& scene_;
@@ -112,6 +116,7 @@ class Crossings {
   std::vector<char> curved_;
   std::vector<double> heights_;
   Piercings ours_, theirs_;
+  std::array<Index, 2> solids_{kNone, kNone};  ///< of the faces in hand
 };
 
 }  // namespace

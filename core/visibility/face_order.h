@@ -4,14 +4,12 @@
 #include <vector>
 
 #include "core/visibility/front_table.h"
+#include "core/visibility/layer_order.h"
 
 namespace overstrike {
 
-class FaceOrder {
+class FaceOrder final : public LayerOrder {
  public:
-  /// Grid units: no device and no test tells a smaller displacement of an end.
-  static constexpr double kCrossingError = 1e-9;
-
   explicit FaceOrder(const FrontTable& table) : table_(table), cache_(kCached) {}
 
   std::size_t face_count() const { return table_.tones.size(); }
@@ -22,12 +20,13 @@ class FaceOrder {
     return !table_.canonical.bodies[table_.tones[face].body].simple;
   }
   /// Precondition: the face is seen.
-  const DepthPlane& depth_of(Index face) const;
+  const DepthPlane& depth_of(Index face) const override;
   /// Sign of depth(f) - depth(g) at the point of the grid, exact: 1 when f is nearer.
-  int compare(Index f, Index g, double x, double y) const;
+  int compare(Index f, Index g, double x, double y) const override;
   /// Where on the level the two have one depth, whatever the angle at which they cross; NaN or
   /// infinite when they are parallel along it.
-  double crossing(Index f, Index g, double y) const;
+  double crossing(Index f, Index g, double y) const override;
+  int enters(Index face) const override { return table_.from_behind(face) ? -1 : 1; }
   /// The same of two planes, to the bit; NaN also where the eye is in one of them.
   double crossing_of_planes(Index p, Index q, double y) const;
   /// f before g at the point, ties decided (tie.h): the ground last.

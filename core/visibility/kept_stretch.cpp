@@ -176,10 +176,10 @@ bool StretchKeeper::span(const SlackLine& from, const SlackLine& to,
   show(last, to, kNone, pieces);
   // FaceOrder::crossing may be off by so much. Of two crossings the nearer must come out first,
   // and none before the ends.
-  return surely_before(first, last, from, from.slack, from.slack + FaceOrder::kCrossingError) &&
-         surely_before(last, first, to, -to.slack, to.slack + FaceOrder::kCrossingError) &&
+  return surely_before(first, last, from, from.slack, from.slack + kCrossingError) &&
+         surely_before(last, first, to, -to.slack, to.slack + kCrossingError) &&
          before_all(first, from, from.slack) && before_all(last, to, -to.slack) &&
-         before_all_at_crossing(first, last, 2 * FaceOrder::kCrossingError);
+         before_all_at_crossing(first, last, 2 * kCrossingError);
 }
 
 }  // namespace overstrike

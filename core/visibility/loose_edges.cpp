@@ -45,42 +45,25 @@ void LooseResolver::add(const LooseEdge& edge, double y) {
   passing_.push_back({edge.line.x_at(y), slack, edge.faces});
 }
 
-template <class Pass, class Span>
-void LooseResolver::sweep(const Pass& pass, const Span& span) {
-  double x = passing_.front().x, slack = passing_.front().slack;
-  for (const Passing& p : passing_) {
-    // A span no wider than its ends are uncertain is of rounding's making, and may lie on the wrong
-    // side of an edge in which two faces touch: nothing is asked there, and its neighbour takes it.
-    if (p.x - x > slack + p.slack) {
-      span(x, p.x, slack, p.slack);
-      // An edge passed before may truly lie right of this one.
-      slack = std::max<double>(p.slack, slack - (p.x - x));
-      x = p.x;
-    } else {
-      slack = std::max<double>(slack, p.slack);
-    }
-    pass(p.faces);
-  }
-}
-
 void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
   if (passing_.empty()) return;
-  std::sort(passing_.begin(), passing_.end(), [](const Passing& a, const Passing& b) {
-    return a.x != b.x ? a.x < b.x : a.faces < b.faces;
-  });
+  sort_passing(passing_);
   pieces_.clear();
   if (body > table_.ground_body()) {
-    solid_.begin(table_.canonical.solids[body - table_.solid_body(0)]->expression, y);
-    sweep([&](const auto& faces) { solid_.pass(faces); },
-          [&](double x0, double x1, double slack0, double slack1) {
-            solid_.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
-                        pieces_);
-          });
+    solid_.begin(table_.canonical.solids[body - table_.solid_body(0)]->expression, order_, y,
+                 table_.columns);
+    sweep(
+        passing_, [&](const auto& faces) { solid_.pass(faces); },
+        [&](double x0, double x1, double slack0, double slack1) {
+          solid_.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
+                      pieces_);
+        });
   } else {
-    sweep([&](const auto& faces) { active_.pass(faces); },
-          [&](double x0, double x1, double slack0, double slack1) {
-            span(x0, x1, y, slack0, slack1);
-          });
+    sweep(
+        passing_, [&](const auto& faces) { active_.pass(faces); },
+        [&](double x0, double x1, double slack0, double slack1) {
+          span(x0, x1, y, slack0, slack1);
+        });
     active_.clear();
   }
   passing_.clear();

@@ -7,6 +7,7 @@
 #include "core/visibility/active_list.h"
 #include "core/visibility/face_order.h"
 #include "core/visibility/level_bands.h"
+#include "core/visibility/passing.h"
 #include "core/visibility/solid_sweep.h"
 #include "core/visibility/span_split.h"
 
@@ -51,7 +52,7 @@ struct RowSide {
 class LooseResolver {
  public:
   LooseResolver(const FrontTable& table, const FaceOrder& order)
-      : table_(table), order_(order), active_(order), solid_(table, order) {}
+      : table_(table), order_(order), active_(order), solid_(table.canonical) {}
 
   /// Adds an edge of the body in hand that meets the level.
   void add(const LooseEdge& edge, double y);
@@ -60,13 +61,6 @@ class LooseResolver {
   void resolve(Index body, double y, std::vector<RowSide>& sides);
 
  private:
-  struct Passing {
-    double x;
-    float slack;
-    std::array<Index, 2> faces;
-  };
-  template <class Pass, class Span>
-  void sweep(const Pass& pass, const Span& span);
   void span(double x0, double x1, double y, double slack0, double slack1);
   void append(std::vector<RowSide>& sides) const;
 

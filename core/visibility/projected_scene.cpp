@@ -47,7 +47,8 @@ ProjectedScene::ProjectedScene(const Canonical& canonical_input, const View& in_
   };
   for (const CanonicalFace& f : canonical.faces) {
     const int side = side_of_eye(canonical.planes[f.plane], f.flipped, view.eye);
-    const bool both = !canonical.bodies[f.body].closed || f.cut;
+    const bool both =
+        !canonical.bodies[f.body].closed || f.cut || canonical.membership(f.body).solid != kNone;
     side_.push_back(static_cast<signed char>(side));
     seen_.push_back((side > 0 || (side < 0 && both)) && has_depth(f.plane));
   }

@@ -33,7 +33,8 @@ class ProjectedScene {
  public:
   ProjectedScene(const Canonical& canonical_input, const View& in_view);
 
-  /// The eye sees this side of the face: of closed bodies the outside, of open ones either.
+  /// The eye sees this side of the face: of closed bodies the outside, of open ones and of a
+  /// solid's operands either.
   bool seen(Index face) const { return face != kNone && seen_[face] != 0; }
   /// 1 when the eye is on the face's outside, -1 behind it, 0 in its plane; exact.
   int side(Index face) const { return side_[face]; }

@@ -31,23 +31,34 @@ Vec4 sizes_of(const View& view, const Vec3& p) {
   return size;
 }
 
-/// Bound on how far a shadow edge may be from where it was meant, in the picture, as to_grid() has
-/// it for points: between its ends no w^ is smaller and no term larger than at one of them.
-double edge_error(const View& view, const ShadowEdge& edge, double reach) {
-  const Vec4 size = glm::max(sizes_of(view, edge.a), sizes_of(view, edge.b));
-  const double w =
-      std::min((view.matrix * Vec4(edge.a, 1.0)).z, (view.matrix * Vec4(edge.b, 1.0)).z);
+/// Bound on how far an edge's ends may be from where they were meant, in the picture, as to_grid()
+/// has it for points: between its ends no w^ is smaller and no term larger than at one of them.
+double edge_error(const View& view, const Vec3& a, const Vec3& b, double reach) {
+  const Vec4 size = glm::max(sizes_of(view, a), sizes_of(view, b));
+  const double w = std::min((view.matrix * Vec4(a, 1.0)).z, (view.matrix * Vec4(b, 1.0)).z);
   return kPointRounding * (std::max(size.x, size.y) + size.z * reach) / std::fabs(w);
 }
 
 /// The same of all, in a parallel view (w^ = 1), where no coordinate is larger than the sum of its
 /// terms' sizes.
-double edges_error(const View& view, const std::vector<ShadowEdge>& edges) {
+template <class Edge>
+double edges_error(const View& view, const std::vector<Edge>& edges) {
   Vec3 reach(0.0);
-  for (const ShadowEdge& e : edges) reach = glm::max(reach, glm::max(glm::abs(e.a), glm::abs(e.b)));
+  for (const Edge& e : edges) reach = glm::max(reach, glm::max(glm::abs(e.a), glm::abs(e.b)));
   Vec4 size = glm::abs(view.matrix[3]);
   for (int column = 0; column < 3; ++column) size += glm::abs(view.matrix[column]) * reach[column];
   return 2 * kPointRounding * std::max(size.x, size.y);
+}
+
+/// Calls visit(edge, error) for all.
+template <class Edge, class Visit>
+void with_errors(const FrontTable& table, const std::vector<Edge>& edges, const Visit& visit) {
+  double error = table.view.perspective ? 0 : edges_error(table.view, edges);
+  const double reach = std::max(table.columns, table.rows) + 1;
+  for (const Edge& edge : edges) {
+    if (table.view.perspective) error = edge_error(table.view, edge.a, edge.b, reach);
+    visit(edge, error);
+  }
 }
 
 struct Crossing {
@@ -58,20 +69,21 @@ struct Crossing {
 
 }  // namespace
 
-ReceiverShadow::ReceiverShadow(const FrontTable& table, const Shadow& shadow)
+ReceiverShadow::ReceiverShadow(const FrontTable& table, const Canonical& casting,
+                               const Shadow& shadow)
     : plane_(table.plane_of(shadow.receiver)), base_(shadow.covered) {
-  if (shadow.edges.empty()) return;
-  const Box receiver = box_of(table, shadow.receiver);
-  Error error{0, beside_line(table.columns, table.rows)};
-  if (!table.view.perspective) error.point = edges_error(table.view, shadow.edges);
-  const double reach = std::max(table.columns, table.rows) + 1;
-  for (const ShadowEdge& edge : shadow.edges) {
-    if (table.view.perspective) error.point = edge_error(table.view, edge, reach);
-    add_line(edge, table.view, receiver, error);
+  if (!shadow.edges.empty()) {
+    const Box receiver = box_of(table, shadow.receiver);
+    const double beside = beside_line(table.columns, table.rows);
+    with_errors(table, shadow.edges, [&](const ShadowEdge& edge, double error) {
+      add_line(edge, table.view, receiver, {error, beside});
+    });
+    if (lines_.size() > kFew)
+      bands_.emplace(table.rows, lines_.size(), [&](std::size_t i) {
+        return std::pair(lines_[i].line.y0, lines_[i].line.y1);
+      });
   }
-  if (lines_.size() > kFew)
-    bands_.emplace(table.rows, lines_.size(),
-                   [&](std::size_t i) { return std::pair(lines_[i].line.y0, lines_[i].line.y1); });
+  if (!shadow.operands.empty()) add_solids(table, casting, shadow);
 }
 
 ReceiverShadow::Box ReceiverShadow::box_of(const FrontTable& table, Index face) {
@@ -86,55 +98,123 @@ ReceiverShadow::Box ReceiverShadow::box_of(const FrontTable& table, Index face) 
   return box;
 }
 
-/// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the
-/// left, all along it, everywhere.
-void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
-                              const Error& errors) {
-  const Vec2 a = projected(view, edge.a), b = projected(view, edge.b);
-  if (a.y == b.y) return;
+/// Nothing for what is level, or passes the receiver by on the right, above or below.
+std::optional<ReceiverShadow::PlacedLine> ReceiverShadow::placed(const View& view, const Vec3& from,
+                                                                 const Vec3& to,
+                                                                 const Box& receiver,
+                                                                 const Error& errors) {
+  const Vec2 a = projected(view, from), b = projected(view, to);
+  if (a.y == b.y) return {};
   // A corner that rounding has put into the eye's own plane, of a near plane that stands there.
-  if (!std::isfinite(a.x + a.y + b.x + b.y)) return;
+  if (!std::isfinite(a.x + a.y + b.x + b.y)) return {};
   const bool down = a.y < b.y;
   LevelLine line = down ? LevelLine(a, b) : LevelLine(b, a);
   if (is_far_away(a) || is_far_away(b))
-    line = far_line(view, down ? edge.a : edge.b, down ? edge.b : edge.a, line);
-  if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return;
+    line = far_line(view, down ? from : to, down ? to : from, line);
+  if (line.y0 >= receiver.high.y || line.y1 <= receiver.low.y) return {};
   const double end = line.x_at(line.y1);
   const double across = std::max(std::fabs(line.x0), std::fabs(end));
   const double tall = std::max(std::fabs(line.y0), std::fabs(line.y1));
   const LineError of_lines{2 * errors.point + 4 * kEps * across, 2 * errors.point + 4 * kEps * tall,
                            errors.beside};
   const double error = of_lines.of(line);
-  if (std::min(line.x0, end) > receiver.high.x + error) return;
-  const int winding = down ? edge.winding : -edge.winding;
-  const bool left = std::max(line.x0, end) < receiver.low.x - error;
-  if (left && line.y0 <= receiver.low.y && line.y1 >= receiver.high.y) {
+  if (std::min(line.x0, end) > receiver.high.x + error) return {};
+  const bool left = std::max(line.x0, end) < receiver.low.x - error && line.y0 <= receiver.low.y &&
+                    line.y1 >= receiver.high.y;
+  return PlacedLine{line, error, down, left};
+}
+
+/// Lines that pass the receiver by on the right count nowhere on it; those that pass by on the
+/// left, all along it, everywhere.
+void ReceiverShadow::add_line(const ShadowEdge& edge, const View& view, const Box& receiver,
+                              const Error& errors) {
+  const std::optional<PlacedLine> p = placed(view, edge.a, edge.b, receiver, errors);
+  if (!p) return;
+  const int winding = p->down ? edge.winding : -edge.winding;
+  if (p->left) {
     base_ += winding;
   } else {
-    lines_.push_back(
-        {line, static_cast<float>(error), winding, error > kSmallSlack ? edge.plane : kNone});
+    lines_.push_back({p->line, static_cast<float>(p->error), winding,
+                      p->error > kSmallSlack ? edge.plane : kNone});
   }
 }
 
+/// The receiver is looked at within the picture.
+void ReceiverShadow::add_solids(const FrontTable& table, const Canonical& casting,
+                                const Shadow& shadow) {
+  Box receiver = box_of(table, shadow.receiver);
+  receiver.low = glm::max(receiver.low, Vec2(-1));
+  receiver.high = glm::min(receiver.high, Vec2(table.columns, table.rows) + 1.0);
+  const double beside = beside_line(table.columns, table.rows);
+  std::vector<Index> faces, at_left;
+  std::vector<OperandLine> lines;
+  Index solid = kNone;
+  const auto toggle = [&](Index face) {
+    if (face == kNone) return;
+    const auto there = std::find(at_left.begin(), at_left.end(), face);
+    there == at_left.end() ? at_left.push_back(face) : static_cast<void>(at_left.erase(there));
+  };
+  const auto end_solid = [&] {
+    if (!lines.empty() || !at_left.empty())
+      solids_.emplace_back(casting.solids[solid]->expression, std::move(lines), std::move(at_left),
+                           table.rows, table.columns + 1);
+    lines.clear(), at_left.clear();
+  };
+  with_errors(table, shadow.operands, [&](const OperandEdge& edge, double error) {
+    if (edge.solid != solid && solid != kNone) end_solid();
+    solid = edge.solid;
+    const std::optional<PlacedLine> p =
+        placed(table.view, edge.a, edge.b, receiver, {error, beside});
+    if (!p) return;
+    for (const Index face : edge.faces)
+      if (face != kNone) faces.push_back(face);
+    if (p->left) {
+      for (const Index face : edge.faces) toggle(face);
+    } else {
+      lines.push_back({p->line, static_cast<float>(p->error),
+                       p->error > kSmallSlack ? edge.plane : kNone, edge.faces});
+    }
+  });
+  end_solid();
+  if (solids_.empty()) return;
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  casting_ = &casting;
+  cast_order_ = std::make_unique<const CastOrder>(table.depths, casting, table.depths.plane(plane_),
+                                                  std::move(faces));
+}
+
 /// Not past the border's own ends.
-double ReceiverShadow::crossing(const ShadowLine& border, double y, const FaceOrder& order) const {
-  const LevelLine& line = border.line;
-  const double x = order.crossing_of_planes(border.plane, plane_, y);
+double ReceiverShadow::crossing(const LevelLine& line, Index plane, double y,
+                                const FaceOrder& order) const {
+  const double x = order.crossing_of_planes(plane, plane_, y);
   if (std::isnan(x)) return line.x_at(y);
   const auto [low, high] = std::minmax({line.x0, line.x_at(line.y1)});
   return std::clamp(x, low, high);
 }
 
-void ReceiverShadow::on_level(double y, const FaceOrder& order,
+void ReceiverShadow::on_level(double y, const FaceOrder& order, Scratch& scratch,
                               std::vector<ShadowSpan>& spans) const {
+  spans.clear();
+  plain_on_level(y, order, spans);
+  if (solids_.empty()) return;
+  if (!scratch) scratch.emplace(*casting_);
+  for (const SolidShadow& solid : solids_)
+    solid.on_level(
+        y, *cast_order_, [&](const OperandLine& line) { return x_of(line, y, order); }, *scratch,
+        spans);
+  unite(spans);
+}
+
+void ReceiverShadow::plain_on_level(double y, const FaceOrder& order,
+                                    std::vector<ShadowSpan>& spans) const {
   constexpr std::size_t kMost = 64;
   Crossing few[kMost];
   std::vector<Crossing> many;
   std::size_t count = 0;
   const auto meet = [&](const ShadowLine& s) {
     if (!(s.line.y0 <= y && y < s.line.y1)) return;
-    const double x = s.plane == kNone ? s.line.x_at(y) : crossing(s, y, order);
-    const Crossing crossing{x, s.slack, s.winding};
+    const Crossing crossing{x_of(s, y, order), s.slack, s.winding};
     if (count < kMost) few[count] = crossing;
     if (count >= kMost) {
       if (count == kMost) many.assign(few, few + kMost);
@@ -184,7 +264,7 @@ ReceiverShadows::~ReceiverShadows() {
 const ReceiverShadow* ReceiverShadows::cast(Index face, ShadowCaster::Scratch& scratch) const {
   const Shadow shadow = caster_->on(face, scratch);
   const ReceiverShadow* made = &kNone;
-  if (ReceiverShadow found(table_, shadow); !found.uniform()) {
+  if (ReceiverShadow found(table_, caster_->casting(), shadow); !found.uniform()) {
     made = new ReceiverShadow(std::move(found));
   } else if (found.begins_in_shadow()) {
     made = &kAll;

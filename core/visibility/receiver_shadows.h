@@ -1,6 +1,7 @@
 #pragma once
 // Shadow borders on their receivers as the eye's levels meet them.
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -8,15 +9,9 @@
 #include "core/visibility/front_table.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/shadows.h"
+#include "core/visibility/solid_shadow.h"
 
 namespace overstrike {
-
-/// The part [x0, x1) of a level over which a receiver is in shadow; the slacks bound the ends'
-/// errors.
-struct ShadowSpan {
-  double x0, x1;
-  float slack0, slack1;
-};
 
 /// A border of a shadow: passing it from left to right adds `winding` to the count.
 struct ShadowLine {
@@ -33,12 +28,16 @@ struct ShadowLine {
 class ReceiverShadow {
  public:
   ReceiverShadow() = default;
-  ReceiverShadow(const FrontTable& table, const Shadow& shadow);
-  /// Appends where the level is in shadow on the receiver's plane, from left to right; right over
+  /// `casting`: the input that casts.
+  ReceiverShadow(const FrontTable& table, const Canonical& casting, const Shadow& shadow);
+  /// What one thread needs; of the solids, where there are some.
+  using Scratch = std::optional<SolidShadow::Scratch>;
+  /// Sets where the level is in shadow on the receiver's plane, from left to right; right over
   /// the receiver itself only.
-  void on_level(double y, const FaceOrder& order, std::vector<ShadowSpan>& spans) const;
+  void on_level(double y, const FaceOrder& order, Scratch& scratch,
+                std::vector<ShadowSpan>& spans) const;
   /// No border passes over the receiver: it is in shadow all over, or not at all.
-  bool uniform() const { return lines_.empty(); }
+  bool uniform() const { return lines_.empty() && solids_.empty(); }
   bool begins_in_shadow() const { return base_ != 0; }
 
  private:
@@ -52,14 +51,34 @@ class ReceiverShadow {
   struct Error {
     double point, beside;
   };
+  /// Where the levels meet an edge.
+  struct PlacedLine {
+    LevelLine line;
+    double error;
+    bool down;  ///< it begins at the edge's `a`
+    bool left;  ///< of all of the receiver, at all its levels
+  };
+  static std::optional<PlacedLine> placed(const View& view, const Vec3& a, const Vec3& b,
+                                          const Box& receiver, const Error& error);
   void add_line(const ShadowEdge& edge, const View& view, const Box& receiver, const Error& error);
+  void add_solids(const FrontTable& table, const Canonical& casting, const Shadow& shadow);
+  void plain_on_level(double y, const FaceOrder& order, std::vector<ShadowSpan>& spans) const;
 
-  double crossing(const ShadowLine& border, double y, const FaceOrder& order) const;
+  /// Where the level meets a ShadowLine or an OperandLine.
+  template <class Line>
+  double x_of(const Line& line, double y, const FaceOrder& order) const {
+    return line.plane == kNone ? line.line.x_at(y) : crossing(line.line, line.plane, y, order);
+  }
+  double crossing(const LevelLine& line, Index plane, double y, const FaceOrder& order) const;
 
   Index plane_ = kNone;  ///< the receiver's
   int base_ = 0;         ///< the count to the left of all lines
   std::vector<ShadowLine> lines_;
   std::optional<LevelBands> bands_;  ///< where there are many lines
+  // Of solids.
+  const Canonical* casting_ = nullptr;
+  std::unique_ptr<const CastOrder> cast_order_;
+  std::vector<SolidShadow> solids_;
 };
 
 /// The shadows of a picture, each cast when its receiver is first seen. Any number of threads.

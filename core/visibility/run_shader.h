@@ -52,6 +52,7 @@ class RunShader {
   double density_tolerance_;
   Index spans_of_ = kNone;  ///< the face whose shadow spans are in spans_
   ShadowCaster::Scratch scratch_;
+  ReceiverShadow::Scratch solids_;
   std::vector<ShadowSpan> spans_, ground_spans_;
   bool ground_spans_known_ = false;  ///< of the present level
   std::vector<double> ribs_;

@@ -165,6 +165,7 @@ void add_shadow_outlines(const ProjectedScene& scene, const FaceIndex& index,
                      StrokeKind::shadow_outline,
                      on_ground ? kNoSurface : c.faces[shadow.receiver].body};
       line.planes[0] = on_ground ? scene.ground() : c.faces[shadow.receiver].plane;
+      if (!on_ground) line.solids[0] = c.membership(line.body).solid;
       line.pen = on_ground ? 0 : c.bodies[line.body].pen;
       line.curved = any_curved;
       line.within = outline.parts(i);

@@ -9,12 +9,14 @@
 namespace overstrike {
 namespace {
 
-/// The side of a face that both the eye and the light are on, or 0.
+/// The side of a face that both the eye and the light are on, or 0. Of a solid's operands the
+/// inside may be seen.
 int lit_and_seen_side(const Canonical& c, const CanonicalFace& f, const View& view) {
   const int eye = side_of_eye(c.planes[f.plane], f.flipped, view.eye);
   const int light = side_of_direction(c.planes[f.plane], f.flipped, *c.light);
   if (eye == 0 || eye != light) return 0;
-  return eye > 0 || !c.bodies[f.body].closed ? eye : 0;
+  const bool two_sided = !c.bodies[f.body].closed || c.membership(f.body).solid != kNone;
+  return eye > 0 || two_sided ? eye : 0;
 }
 
 /// The corners of a face's loops follow each other.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "core/geometry/even_odd.h"
 #include "core/visibility/caster_index.h"
@@ -31,6 +32,13 @@ View view_of(const LightFrame& frame) {
 
 }  // namespace
 
+/// A border of an operand's face over the receiver; t0 < t1.
+struct OperandBorder {
+  Index solid;
+  SidePart part;
+  Index face;
+};
+
 struct ShadowCaster::Scratch::Impl {
   RegionGrid::Stamps bodies, faces;
   std::vector<ShadowBorder> edges;
@@ -39,6 +47,8 @@ struct ShadowCaster::Scratch::Impl {
   std::vector<Vec2> corners;
   ShadowPolygon polygon, polygon_cut;
   std::vector<double> heights;
+  Index operand_face = kNone;  ///< the one in hand is an operand's
+  std::vector<OperandBorder> operands;
 };
 
 ShadowCaster::Scratch::Scratch() : impl_(std::make_unique<Impl>()) {}
@@ -71,6 +81,7 @@ struct ShadowCaster::Impl {
   bool take_above(Index loop, Index plane, const PlaneGap& gap, Work& work) const;
   void leave(const ShadowReceiver& r, int winding, Work& work) const;
   const std::vector<Vec2>& outline_of(const ShadowReceiver& r, Work& work) const;
+  void add_operands(const ShadowReceiver& r, Work& work, Shadow& shadow) const;
   bool walked(const FrontBody& body) const { return !body.loose && !body.broken && !body.turned; }
   bool is_above_ground(Index body, const Plane& ground) const;
 
@@ -122,6 +133,7 @@ bool misses(const std::vector<Vec2>& outline, const ShadowBorder& border) {
 bool ShadowCaster::Impl::cast_body(Index number, const ShadowReceiver& r, Work& work) const {
   const FrontBody& body = light.bodies[number];
   if (!body.seen || body.near_z <= r.low_z) return false;
+  if (whole.membership(number).solid != kNone) return leave_faces(number, r, work), false;
   if (!walked(body)) return leave_faces(number, r, work), false;
   if (number == r.body) {
     if (r.off_plane) leave_faces(number, r, work);
@@ -215,16 +227,20 @@ bool ShadowCaster::Impl::leave_outline(const FrontBody& body, const ShadowReceiv
 void ShadowCaster::Impl::leave_faces(Index body, const ShadowReceiver& r, Work& work) const {
   const std::vector<Index>& faces = index.faces_of(body);
   const std::vector<char>& crossed = index.crossed(body);
+  const bool operand = whole.membership(body).solid != kNone;
   const auto visit = [&](Index i) {
+    work.operand_face = operand ? faces[i] : kNone;
     crossed[i] != 0 ? leave_crossed(faces[i], r, work) : leave_face(faces[i], r, work);
   };
   if (r.body == kNone) {
     for (Index i = 0; i < faces.size(); ++i) visit(i);
+    work.operand_face = kNone;
     return;
   }
   const LightRegion region{Vec2(r.region.low.x, -r.region.high.y),
                            Vec2(r.region.high.x, -r.region.low.y)};
   index.grid_of(body).over(region, work.faces, visit);
+  work.operand_face = kNone;
 }
 
 /// Sets the polygon to what of the loop lies above the receiver's plane, across the light. False
@@ -329,14 +345,50 @@ void ShadowCaster::Impl::leave(const ShadowReceiver& r, int winding, Work& work)
   for (SidePart part : polygon) {
     const bool along = part.t0 < part.t1;
     if (!along) std::swap(part.t0, part.t1);
-    if (part.t0 < part.t1 && part.a != part.b)
+    if (!(part.t0 < part.t1 && part.a != part.b)) continue;
+    if (work.operand_face == kNone) {
       work.edges.push_back({part, along ? winding : -winding});
+    } else {
+      const Index body = whole.faces[work.operand_face].body;
+      work.operands.push_back({whole.memberships[body].solid, part, work.operand_face});
+    }
+  }
+}
+
+/// Sides that two faces share are one edge between them; a face that begins and ends in one does
+/// neither.
+void ShadowCaster::Impl::add_operands(const ShadowReceiver& r, Work& work, Shadow& shadow) const {
+  std::vector<OperandBorder>& borders = work.operands;
+  const auto key = [](const OperandBorder& b) {
+    return std::tuple(b.solid, b.part.a.x, b.part.a.y, b.part.b.x, b.part.b.y, b.part.t0, b.part.t1,
+                      b.part.plane);
+  };
+  std::sort(borders.begin(), borders.end(), [&](const OperandBorder& a, const OperandBorder& b) {
+    const auto p = key(a), q = key(b);
+    return p != q ? p < q : a.face < b.face;
+  });
+  std::vector<Index> faces;
+  for (std::size_t i = 0, end = 0; i < borders.size(); i = end) {
+    faces.clear();
+    for (end = i; end < borders.size() && key(borders[end]) == key(borders[i]); ++end) {
+      if (!faces.empty() && faces.back() == borders[end].face)
+        faces.pop_back();
+      else
+        faces.push_back(borders[end].face);
+    }
+    const SidePart& part = borders[i].part;
+    for (std::size_t f = 0; f < faces.size(); f += 2)
+      shadow.operands.push_back({lifted(r, frame, part.from()),
+                                 lifted(r, frame, part.to()),
+                                 borders[i].solid,
+                                 {faces[f], f + 1 < faces.size() ? faces[f + 1] : kNone},
+                                 part.plane});
   }
 }
 
 Shadow ShadowCaster::Impl::cast_on(const ShadowReceiver& r, Work& work) const {
-  Shadow shadow{r.face, false, {}};
-  work.edges.clear(), work.outline.clear();
+  Shadow shadow{r.face, false, {}, {}};
+  work.edges.clear(), work.operands.clear(), work.outline.clear();
   work.outline_known = false;
   const LightRegion region{Vec2(r.region.low.x, -r.region.high.y),
                            Vec2(r.region.high.x, -r.region.low.y)};
@@ -351,6 +403,7 @@ Shadow ShadowCaster::Impl::cast_on(const ShadowReceiver& r, Work& work) const {
     shadow.covered = true;
     return shadow;
   }
+  add_operands(r, work, shadow);
   cancel(work.edges);
   if (work.edges.empty()) return shadow;
   // When no boundary passes over the inside of a convex receiver it is in shadow all over or not at
@@ -385,8 +438,10 @@ Shadow ShadowCaster::on(Index receiver, Scratch& scratch) const {
   if (impl_ != nullptr)
     if (const std::optional<ShadowReceiver> r = impl_->receiver_of(receiver))
       return impl_->cast_on(*r, *scratch.impl_);
-  return {receiver, false, {}};
+  return {receiver, false, {}, {}};
 }
+
+const Canonical& ShadowCaster::casting() const { return impl_->whole; }
 
 std::vector<Shadow> ShadowCaster::all() const {
   std::vector<Shadow> shadows;
@@ -394,7 +449,8 @@ std::vector<Shadow> ShadowCaster::all() const {
   Scratch scratch;
   for (Index f = 0; f <= impl_->seen.faces.size(); ++f) {
     Shadow shadow = on(f, scratch);
-    if (shadow.covered || !shadow.edges.empty()) shadows.push_back(std::move(shadow));
+    if (shadow.covered || !shadow.edges.empty() || !shadow.operands.empty())
+      shadows.push_back(std::move(shadow));
   }
   return shadows;
 }

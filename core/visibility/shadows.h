@@ -18,7 +18,10 @@
 //  3. Where it lies beside the receiver in height, or cannot be walked, its faces over the receiver
 //     are cut to the light's side of its plane and left one by one; borders that two of them share
 //     cancel.
+//     Faces of a solid's operands are cut and left in the same way, each with its own border: what
+//     of the solid is there is decided where the receiver is seen (solid_shadow.h).
 //  4. A receiver that no border passes over is in shadow all over or not at all.
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -35,12 +38,24 @@ struct ShadowEdge {
   Index plane = kNone;  ///< of a caster, where it passes through the receiver's along this piece
 };
 
+/// On its receiver, a piece of a side of an operand's face that lies over it. Passing it, the face
+/// begins or ends (`faces`: or both do, where two share the side).
+struct OperandEdge {
+  Vec3 a, b;
+  Index solid;                 ///< of the casting input
+  std::array<Index, 2> faces;  ///< of the casting input; the second may be kNone
+  Index plane = kNone;         ///< as in ShadowEdge
+};
+
 /// What the light leaves on one receiver. Without edges, `covered` says whether all of it is in
 /// shadow.
 struct Shadow {
   Index receiver;  ///< a face of `seen`, or seen.faces.size() for the ground
   bool covered = false;
   std::vector<ShadowEdge> edges;
+  /// By solid. Whether one casts shadow at a point of the receiver is what its operands say along
+  /// the light there (solid_shadow.h).
+  std::vector<OperandEdge> operands;
 };
 
 /// Casts shadows, on any number of threads.
@@ -68,6 +83,8 @@ class ShadowCaster {
   bool receives(Index receiver) const;
   /// The shadow on a receiver, which may be empty.
   Shadow on(Index receiver, Scratch& scratch) const;
+  /// What casts. Precondition: there is a light.
+  const Canonical& casting() const;
   /// All shadows, by receiver; receivers without shadow are left out.
   std::vector<Shadow> all() const;
 

@@ -28,6 +28,10 @@ struct SightLine {
   int pen = 0;
   bool curved = false;  ///< stands for a piece of a curve
   Intervals within{{0.0, 1.0}};
+  /// The solids in whose surfaces it lies: it is drawn where they are there. Where both are the
+  /// same one, it is drawn where that one's surface ends in it or bends.
+  std::array<Index, 2> solids{kNone, kNone};
+  bool smooth = false;  ///< a surface that bends in it as its facets do is not bent
 
   bool lies_in(Index plane) const { return planes[0] == plane || planes[1] == plane; }
   /// The parameter of a point that divides the line by s : 1 - s in space.
@@ -54,6 +58,8 @@ class Ruler {
         error_(a.error + b.error) {}
 
   double length() const { return length_; }
+  /// A vector across the line, to its right.
+  Vec2 right() const { return Vec2(-along_.y, along_.x); }
   /// Bound on how far the line's ends are from where they were meant.
   double error() const { return error_; }
   /// The ends cannot be told apart: there is no line.

@@ -8,27 +8,44 @@
 
 namespace overstrike {
 
-void SolidSweep::begin(const SolidExpression& expression, double y) {
+void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& order, double y,
+                       double reach) {
   if (expression_ != &expression) {
     expression_ = &expression;
     state_.emplace(expression);
     winding_.assign(expression.operands(), 0);
     turned_.assign(expression.operands(), 0);
   }
-  y_ = y;
-  layers_.clear(), passed_.clear();
-  known_ = false;
+  order_ = &order;
+  y_ = y, reach_ = reach;
+  layers_.clear(), passed_.clear(), at_end_.clear();
+  known_ = ends_ = false;
+}
+
+void SolidSweep::end_at_layer() {
+  const DepthPlane& d = order_->depth_of(LayerOrder::kEnd);
+  Layer end{LayerOrder::kEnd,
+            LayerOrder::kEnd,
+            0,
+            0,
+            d.a,
+            d.b * y_ + d.c,
+            d.ea,
+            d.eb * std::fabs(y_) + d.ec,
+            false};
+  layers_.push_back(end);
+  ends_ = true;
 }
 
 void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(faces); }
 
 SolidSweep::Layer SolidSweep::layer_of(Index face) const {
-  const Canonical& c = table_.canonical;
-  const DepthPlane& d = order_.depth_of(face);
+  const CanonicalFace& f = canonical_.faces[face];
+  const DepthPlane& d = order_->depth_of(face);
   return {face,
-          c.faces[face].plane,
-          c.memberships[c.faces[face].body].operand,
-          table_.from_behind(face) ? -1 : 1,
+          f.plane,
+          canonical_.memberships[f.body].operand,
+          order_->enters(face),
           d.a,
           d.b * y_ + d.c,
           d.ea,
@@ -43,7 +60,7 @@ int SolidSweep::compare_at(const Layer& a, const Layer& b, double x, bool& sharp
   const double difference = (a.slope * x + a.constant) - (b.slope * x + b.constant);
   const double error =
       (a.slope_error + b.slope_error) * std::fabs(x) + (a.constant_error + b.constant_error);
-  sharp = error <= FaceOrder::kCrossingError * std::fabs(slope);
+  sharp = error <= kCrossingError * std::fabs(slope);
   return (difference > error) - (difference < -error);
 }
 
@@ -53,9 +70,9 @@ int SolidSweep::compare(const Layer& a, const Layer& b) const {
   if (a.plane == b.plane) return 0;
   bool sharp = false;
   if (const int side = compare_at(a, b, low_, sharp); side != 0) return side;
-  if (sharp) return a.slope > b.slope ? 1 : -1;
-  const int side = order_.compare(a.face, b.face, low_, y_);
-  return side != 0 ? side : order_.compare(a.face, b.face, high_, y_);
+  if (sharp && a.slope != b.slope) return a.slope > b.slope ? 1 : -1;
+  const int side = order_->compare(a.face, b.face, low_, y_);
+  return side != 0 ? side : order_->compare(a.face, b.face, high_, y_);
 }
 
 /// Whether a layer lies in one plane with the one before it or after it.
@@ -98,6 +115,7 @@ void SolidSweep::replace(std::size_t at, Index face) {
 }
 
 void SolidSweep::toggle(Index face) {
+  if (ends_ && order_->at_end(face)) return toggle_at_end(face);
   const auto layer =
       std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.face == face; });
   if (layer != layers_.end()) {
@@ -110,6 +128,16 @@ void SolidSweep::toggle(Index face) {
   } else {
     entering_.push_back(face);
   }
+}
+
+void SolidSweep::toggle_at_end(Index face) {
+  known_ = false;
+  if (std::erase_if(at_end_, [&](const Layer& l) { return l.face == face; }) > 0) return;
+  const auto behind = std::partition_point(at_end_.begin(), at_end_.end(), [&](const Layer& other) {
+    return canonical_.faces[face].plane == other.plane ||
+           order_->compare(other.face, face, low_, y_) >= 0;
+  });
+  at_end_.insert(behind, layer_of(face));
 }
 
 /// Passes the edges since the last span. A face that takes the place of its neighbour in an edge is
@@ -170,7 +198,7 @@ void SolidSweep::insert(Index face) {
 /// where that is not sure.
 double SolidSweep::before_until(const Layer& near, const Layer& far) const {
   const double slope = near.slope - far.slope;
-  const double reach = std::max(table_.columns, std::fabs(low_));
+  const double reach = std::max(reach_, std::fabs(low_));
   const double error =
       (near.slope_error + far.slope_error) * reach + (near.constant_error + far.constant_error);
   const double lead =
@@ -182,9 +210,9 @@ double SolidSweep::before_until(const Layer& near, const Layer& far) const {
 /// Where two layers that are the wrong way round at the span's end have become so. They may have
 /// been all along: three layers that cross within what is asked for are put in order pair by pair.
 double SolidSweep::crossing(const Layer& near, const Layer& far, double from) const {
-  const double x = order_.crossing(near.face, far.face, y_);
+  const double x = order_->crossing(near.face, far.face, y_);
   const bool within = x < high_;
-  if (!within && order_.compare(near.face, far.face, from, y_) < 0) return from;
+  if (!within && order_->compare(near.face, far.face, from, y_) < 0) return from;
   return within ? std::max(x, from) : high_;
 }
 
@@ -201,7 +229,7 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
     int side = compare_at(near, far, high_, sharp);
     if (side > 0) near.before = far.face, near.before_until = before_until(near, far);
     if (side > 0 || (side == 0 && sharp)) continue;
-    if (side == 0) side = order_.compare(near.face, far.face, high_, y_);
+    if (side == 0) side = order_->compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;
     const double at = crossing(near, far, from);
     if (!next || at < next->x) next = {at, i};
@@ -237,37 +265,56 @@ Index SolidSweep::seen() {
   return seen_;
 }
 
-/// The face of the solid that is nearest, or kNone. Faces of one plane are counted together before
-/// it is decided whether the solid begins there (TK 3.3.4, step 5).
+/// The face of the solid that is nearest, or kNone.
 Index SolidSweep::find_seen() {
   Index found = kNone;
   entered_.clear();
   decided_ = layers_.size() + 1;
-  for (std::size_t first = 0, end = 0; first < layers_.size() && found == kNone; first = end) {
-    changed_.clear();
-    for (end = first; end < layers_.size() && layers_[end].plane == layers_[first].plane; ++end) {
-      const Layer& layer = layers_[end];
-      const bool was_in = winding_[layer.operand] != 0;
-      winding_[layer.operand] += layer.enters;
-      if (was_in == (winding_[layer.operand] != 0)) continue;
-      state_->flip(layer.operand);
-      changed_.push_back(layer.operand);
+  // Calls for one group of faces in one plane after the other, until the solid begins in one.
+  const auto look_through = [&](const std::vector<Layer>& layers) {
+    std::size_t first = 0;
+    while (first < layers.size() && found == kNone && layers[first].face != LayerOrder::kEnd) {
+      std::size_t end = first + 1;
+      while (end < layers.size() && layers[end].plane == layers[first].plane) ++end;
+      found = enter({layers.data() + first, end - first});
+      first = end;
     }
-    entered_.insert(entered_.end(), changed_.begin(), changed_.end());
-    if (!state_->inside()) continue;
-    found = end - first == 1 ? layers_[first].face : choose(first, end);
-    decided_ = end;
+    return first;
+  };
+  const std::size_t first = look_through(layers_);
+  if (found != kNone) {
+    decided_ = first;
+  } else if (first < layers_.size()) {
+    decided_ = first + 1;
+    look_through(at_end_);
   }
-  for (std::size_t i = 0; i < layers_.size(); ++i) winding_[layers_[i].operand] = 0;
+  for (const Layer& layer : layers_) winding_[layer.operand] = 0;
+  for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
   for (const Index operand : entered_)
     if (state_->in(operand)) state_->flip(operand);
   return found;
 }
 
+/// Passes faces of one plane, which are counted together before it is decided whether the solid
+/// begins there (TK 3.3.4, step 5). The one that is seen if it does, or kNone.
+Index SolidSweep::enter(std::span<const Layer> group) {
+  changed_.clear();
+  for (const Layer& layer : group) {
+    const bool was_in = winding_[layer.operand] != 0;
+    winding_[layer.operand] += layer.enters;
+    if (was_in == (winding_[layer.operand] != 0)) continue;
+    state_->flip(layer.operand);
+    changed_.push_back(layer.operand);
+  }
+  entered_.insert(entered_.end(), changed_.begin(), changed_.end());
+  if (!state_->inside()) return kNone;
+  return group.size() == 1 ? group.front().face : choose(group);
+}
+
 /// Which of the faces in one plane in which the solid begins: the first by the rule of ties whose
 /// operand makes the solid begin there, alone or with others. That hangs on what is united and
 /// intersected, and not on how the expression is written.
-Index SolidSweep::choose(std::size_t first, std::size_t end) {
+Index SolidSweep::choose(std::span<const Layer> group) {
   operands_.clear(), candidates_.clear();
   std::sort(changed_.begin(), changed_.end());
   for (std::size_t i = 0; i < changed_.size(); ++i) {
@@ -276,20 +323,19 @@ Index SolidSweep::choose(std::size_t first, std::size_t end) {
     if (times % 2 != 0 && (i == 0 || changed_[i] != changed_[i - 1]))
       operands_.push_back(changed_[i]);
   }
-  for (std::size_t i = first; i < end; ++i) turned_[layers_[i].operand] += layers_[i].enters;
-  for (std::size_t i = first; i < end; ++i) {
-    const Layer& layer = layers_[i];
+  for (const Layer& layer : group) turned_[layer.operand] += layer.enters;
+  for (const Layer& layer : group) {
     if (std::binary_search(operands_.begin(), operands_.end(), layer.operand) &&
         turned_[layer.operand] * layer.enters > 0)
       candidates_.push_back(layer.face);
   }
-  for (std::size_t i = first; i < end; ++i) turned_[layers_[i].operand] = 0;
-  const Canonical& c = table_.canonical;
+  for (const Layer& layer : group) turned_[layer.operand] = 0;
+  const Canonical& c = canonical_;
   std::sort(candidates_.begin(), candidates_.end(),
             [&](Index f, Index g) { return wins_tie(c, f, g); });
   for (const Index face : candidates_)
     if (needed(c.memberships[c.faces[face].body].operand, operands_)) return face;
-  return candidates_.empty() ? layers_[first].face : candidates_.front();
+  return candidates_.empty() ? group.front().face : candidates_.front();
 }
 
 /// True when there are changes with which the solid does not begin without the operand's, and does

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/visibility/face_order.h"
+#include "core/visibility/layer_order.h"
 #include "core/visibility/solid_expression.h"
 #include "core/visibility/span_split.h"
 
@@ -20,10 +20,14 @@ namespace overstrike {
 /// Goes over one level after the other. One a thread.
 class SolidSweep {
  public:
-  SolidSweep(const FrontTable& table, const FaceOrder& order) : table_(table), order_(order) {}
+  /// Of `canonical` are the faces.
+  explicit SolidSweep(const Canonical& canonical) : canonical_(canonical) {}
 
-  /// Goes to the left of all edges of a solid's operands on the level.
-  void begin(const SolidExpression& expression, double y);
+  /// Goes to the left of all edges of a solid's operands on the level, on which it is not asked
+  /// farther than `reach` from the grid's origin. The order must outlive what is asked.
+  void begin(const SolidExpression& expression, const LayerOrder& order, double y, double reach);
+  /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
+  void end_at_layer();
   /// Passes an edge between two faces (the second may be kNone) from left to right.
   void pass(const std::array<Index, 2>& faces);
   /// Appends what is seen from where edges were passed last to where the next one is. The face of
@@ -52,6 +56,7 @@ class SolidSweep {
   void settle(double low, double high);
   void replace(std::size_t at, Index face);
   void toggle(Index face);
+  void toggle_at_end(Index face);
   void insert(Index face);
   void move_into_order(std::size_t at);
   int compare(const Layer& a, const Layer& b) const;
@@ -64,16 +69,20 @@ class SolidSweep {
   bool stands_clear(std::size_t at) const;
   Index seen();
   Index find_seen();
-  Index choose(std::size_t first, std::size_t end);
+  Index enter(std::span<const Layer> group);
+  Index choose(std::span<const Layer> group);
   bool needed(Index operand, std::span<const Index> changed);
 
-  const FrontTable& table_;
-  const FaceOrder& order_;
+  const Canonical& canonical_;
+  const LayerOrder* order_ = nullptr;
   const SolidExpression* expression_ = nullptr;
   std::optional<SolidExpression::State> state_;
-  double y_ = 0, low_ = 0, high_ = 0;  ///< within the span in hand
+  double y_ = 0, reach_ = 0;
   std::uint64_t settlings_ = 0;
+  double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
+  bool ends_ = false;          ///< one of them is kEnd
+  std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it
   std::vector<std::array<Index, 2>> passed_;
   std::vector<Index> entering_;
   // What is seen, as long as nothing changes among the first `decided_` layers, which decide it.

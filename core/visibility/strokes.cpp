@@ -43,7 +43,8 @@ std::vector<Index> ranks_of_bodies(const Canonical& c) {
 }
 
 std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceIndex& index,
-                                      const std::vector<SightLine>& lines) {
+                                      const std::vector<SightLine>& lines,
+                                      const StrokeOptions& options) {
   EdgeResolver resolver(scene, index);
   const Vec2 page(scene.view.grid.columns, scene.view.grid.rows);
   const std::vector<Index> ranks = ranks_of_bodies(scene.canonical);
@@ -51,10 +52,11 @@ std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceInd
   for (const SightLine& line : lines) {
     const Index rank = line.body < ranks.size() ? ranks[line.body] : kNone;
     const double error = line.a.grid.error + line.b.grid.error;
-    for (const Interval& part : resolver.visible(line))
-      pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
-                        glm::clamp(line.at(part.second), Vec2(0), page), error, line.kind,
-                        line.body, line.pen, line.curved, rank});
+    for (const auto& [part, kind] : resolver.visible(line))
+      if (wanted(kind, options))
+        pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
+                          glm::clamp(line.at(part.second), Vec2(0), page), error, kind, line.body,
+                          line.pen, line.curved, rank});
   }
   return pieces;
 }
@@ -67,7 +69,7 @@ std::vector<Stroke> visible_strokes(const Canonical& seen, const View& view,
   const ProjectedScene scene(seen, view);
   const FaceIndex index(scene);
   const std::vector<SightLine> lines = candidates(scene, index, shadows, options, tolerance);
-  return chained(merged(visible_pieces(scene, index, lines), view.grid), tolerance);
+  return chained(merged(visible_pieces(scene, index, lines, options), view.grid), tolerance);
 }
 
 }  // namespace overstrike

@@ -100,6 +100,19 @@ void Crossings::shadow_edges(Search& search, const Plane& receiver) const {
   };
   for (const WingedEdge& e : in_.edges)
     search.add_edge(shadow(e.from), shadow(e.to), 1 / std::fabs(facing));
+  // Where faces of solids pass through each other: the plane along the light through their
+  // crossing.
+  if (in_.solids.empty()) return;
+  for (std::size_t i = 0; i < in_.planes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Plane &p = in_.planes[i], &q = in_.planes[k];
+      const double along_p = glm::dot(p.normal, light), along_q = glm::dot(q.normal, light);
+      const Vec3 normal = p.normal * along_q - q.normal * along_p;
+      const double length = glm::length(normal);
+      if (length > 0)
+        search.add_depths(*this, receiver,
+                          {normal / length, (p.offset * along_q - q.offset * along_p) / length});
+    }
 }
 
 /// Where any plane of the scene passes through this one.

@@ -387,13 +387,55 @@ struct Oracle::Impl {
     for (Index i = 0; i < faces.size(); ++i) {
       const CanonicalFace& f = in.faces[i];
       if (f.plane == own || faces[i].light_side == 0) continue;
+      if (in.membership(f.body).solid != kNone) continue;
       if (in.bodies[f.body].closed && faces[i].light_side < 0) continue;
       if (!faces[i].light_box.may_hold(across_u, across_v)) continue;
       // t = (offset - n.Q) / (n.L); the stored normal's side of the light is light_side, unflipped.
       const int stored_side = f.flipped ? -faces[i].light_side : faces[i].light_side;
       if (-sign_at(q, in.planes[f.plane]) * stored_side > 0 && covers(f, ray)) return true;
     }
+    for (Index s = 0; s < in.solids.size(); ++s)
+      if (shadowed_by(s, q, own, ray, across_u, across_v)) return true;
     return false;
+  }
+
+  /// The same of a solid: whether the way from the light to Q enters it. Faces of Q's own plane are
+  /// not on it.
+  bool shadowed_by(Index s, const Hit& q, Index own, const Sight& ray, const Approx& across_u,
+                   const Approx& across_v) const {
+    std::vector<Meeting> met;
+    for (Index i = 0; i < faces.size(); ++i) {
+      const CanonicalFace& f = in.faces[i];
+      if (in.membership(f.body).solid != s || f.plane == own || faces[i].light_side == 0) continue;
+      if (!faces[i].light_box.may_hold(across_u, across_v)) continue;
+      const int stored_side = f.flipped ? -faces[i].light_side : faces[i].light_side;
+      if (-sign_at(q, in.planes[f.plane]) * stored_side > 0 && covers(f, ray))
+        met.push_back({i, hit(ray, in.planes[f.plane])});
+    }
+    const auto order = [&](const Meeting& a, const Meeting& b) {
+      if (in.faces[a.face].plane == in.faces[b.face].plane) return 0;
+      return compare_along_light(a.at, b.at);
+    };
+    std::sort(met.begin(), met.end(),
+              [&](const Meeting& a, const Meeting& b) { return order(a, b) > 0; });
+    std::map<Index, int> winding;
+    const auto is_in = [&](Index operand) { return winding[operand] != 0; };
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      winding[in.membership(in.faces[met[i].face].body).operand] += faces[met[i].face].light_side;
+      const bool group_ends = i + 1 == met.size() || order(met[i], met[i + 1]) != 0;
+      if (group_ends && holds(in.solids[s]->nodes, 0, is_in)) return true;
+    }
+    return false;
+  }
+
+  /// 1 when a is nearer to the light.
+  int compare_along_light(const Hit& a, const Hit& b) const {
+    const int difference = sign_of([&]<class T>() {
+      const auto &p = a.get<T>(), &q = b.get<T>();
+      return dot3<T>(*in.light, p) * q[3] - dot3<T>(*in.light, q) * p[3];
+    });
+    const auto w = [](const Hit& h) { return sign_of([&]<class T>() { return h.get<T>()[3]; }); };
+    return difference * w(a) * w(b);
   }
 
   Seen ground_at(const Hit& h) const {

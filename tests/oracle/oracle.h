@@ -36,6 +36,7 @@
 //     hit point Q on its stored plane is in shadow when the ray Q + t L, t > 0, meets a face of
 //     another plane: the outline is taken along L, t = (offset - n.Q) / (n.L) from the stored
 //     plane. Faces with n.L = 0 do not cast; of closed bodies those with outward normal.L > 0 cast.
+//     A solid casts where the way from the light to Q enters it; faces of Q's plane do not count.
 //     The ground casts no shadow, and casters are not clipped by the near plane. Light that does
 //     not come from above the ground (L.z <= 0) leaves the ground bare.
 //  7. Density: NN74 (15), hmax (1 - k max(0, n.L)); without light hmax (1 - k); in shadow hmax;

@@ -2,7 +2,7 @@
 // lattice, so that faces, edges and vertices coincide on purpose.
 #include <gtest/gtest.h>
 
-#include "tests/oracle/random.h"
+#include "tests/oracle/random_trees.h"
 #include "tests/oracle/trial.h"
 
 namespace overstrike::oracle {
@@ -13,72 +13,6 @@ constexpr int kTrees = 500;
 #else
 constexpr int kTrees = 60;
 #endif
-
-class TreeMaker {
- public:
-  explicit TreeMaker(std::uint64_t seed) : random_(seed) {}
-
-  Scene make() {
-    Scene scene;
-    Solid solid;
-    add(scene, solid, 4);
-    scene.solids.push_back(std::move(solid));
-    scene.camera.parallel = below(2) == 0;
-    scene.camera.from = {static_cast<double>(below(72)) * 5 + 1,
-                         static_cast<double>(below(17)) * 10 - 80};
-    if (below(3) == 0) look_from_within(scene.camera);
-    return scene;
-  }
-
- private:
-  /// Near clipping, often within the solid.
-  void look_from_within(Camera& camera) {
-    camera.eye = Vec3(lattice() + 0.5, lattice() + 0.3, lattice() + 0.7);
-    camera.target = Vec3(2.1, 2.3, 1.9);
-    camera.fov_deg = 60;
-    camera.near_distance = 0.25;
-    camera.parallel = false;
-  }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_.next() % n); }
-  double lattice() { return static_cast<double>(below(4)); }
-
-  void add(Scene& scene, Solid& solid, int depth) {
-    const std::size_t at = solid.nodes.size();
-    if (depth == 0 || (depth < 4 && below(3) == 0)) {
-      solid.nodes.push_back({SetOperation::operand, static_cast<Index>(scene.bodies.size()),
-                             static_cast<Index>(at + 1)});
-      scene.bodies.push_back(body());
-      return;
-    }
-    solid.nodes.push_back({static_cast<SetOperation>(1 + below(3)), 0, 0});
-    for (std::size_t i = 1 + below(3); i > 0; --i) add(scene, solid, depth - 1);
-    solid.nodes[at].end = static_cast<Index>(solid.nodes.size());
-  }
-
-  Body body() {
-    Body body;
-    const double height = 1 + static_cast<double>(below(3));
-    switch (below(4)) {
-      case 0:
-        body.shape = std::make_shared<Shape>(Frustum{1, 1, height, 4});
-        break;
-      case 1:
-        body.shape = std::make_shared<Shape>(Frustum{2, 1, height, 5});
-        break;
-      case 2:
-        body.shape = std::make_shared<Shape>(Wedge{{2, 2, height}, 0, 0});
-        break;
-      default:
-        body.shape = std::make_shared<Shape>(Box{{2, 1 + lattice(), height}});
-        break;
-    }
-    body.placement.offset = {lattice(), lattice(), lattice()};
-    body.density_factor = 0.25 * static_cast<double>(1 + below(4));
-    return body;
-  }
-
-  Random random_;
-};
 
 TEST(Agreement, RandomTreesOfCoincidentOperands) {
   int skipped = 0;

@@ -1,0 +1,129 @@
+// The law: strokes of Boolean solids run where what is seen changes its plane, and nowhere else.
+// Runs and strokes come from two resolvers; what lies beside a stroke the oracle says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/drawing.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/random_trees.h"
+
+namespace overstrike::oracle {
+namespace {
+
+#ifdef OVERSTRIKE_ORACLE_LONG
+constexpr int kTrees = 3000;
+#else
+constexpr int kTrees = 200;
+#endif
+
+/// Grid units: strokes' corners that a simplification leaves out may be half as far off.
+constexpr double kTolerance = 1e-6;
+/// Beside a stroke is farther than that, and nearer than what else is there but for chance.
+constexpr double kBeside = 16 * kTolerance;
+
+struct Picture {
+  explicit Picture(const Scene& scene) {
+    const Grid grid{32, 40};
+    view = make_view(scene, grid);
+    std::vector<Diagnostic> warnings;
+    canonical = std::make_shared<const Canonical>(canonicalize(scene, view, 0.05, warnings));
+    DrawOptions options;
+    options.threads = 1, options.tolerance = kTolerance;
+    Drawing drawing(canonical, view, options);
+    strokes = drawing.strokes({});
+    drawing.runs({0, 1, 0.37}, [&](const RunRow& row) {
+      rows.emplace_back(static_cast<double>(row.index) + 0.37,
+                        std::vector<DensityRun>(row.runs.begin(), row.runs.end()));
+    });
+  }
+
+  View view;
+  std::shared_ptr<const Canonical> canonical;
+  std::vector<Stroke> strokes;
+  std::vector<std::pair<double, std::vector<DensityRun>>> rows;
+};
+
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double square = glm::dot(d, d);
+  const double t = square > 0 ? std::clamp(glm::dot(p - a, d) / square, 0.0, 1.0) : 0;
+  return glm::length(p - (a + d * t));
+}
+
+bool on_a_stroke(const Picture& picture, const Vec2& p, double reach) {
+  for (const Stroke& stroke : picture.strokes)
+    for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i)
+      if (distance(p, stroke.points[i], stroke.points[i + 1]) <= reach) return true;
+  return false;
+}
+
+/// The plane that a run shows; kNone: paper.
+Index plane_of(const Picture& picture, const Oracle& oracle, double x, double y) {
+  const Seen seen = oracle.at(x, y);
+  if (seen.kind == Kind::cut) return kNone - 1;
+  return seen.face == kNone ? kNone : picture.canonical->faces[seen.face].plane;
+}
+
+/// Where a level shows another plane than a little further on, there is a stroke.
+int runs_without_strokes(const Picture& picture, const Oracle& oracle, std::string& where) {
+  int missing = 0;
+  for (const auto& [y, runs] : picture.rows)
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      for (const double x : {runs[i].x0, runs[i].x1}) {
+        if (x <= 0 || x >= 32) continue;
+        const Index before = plane_of(picture, oracle, x - kBeside, y),
+                    behind = plane_of(picture, oracle, x + kBeside, y);
+        if (before == behind || on_a_stroke(picture, {x, y}, kBeside)) continue;
+        ++missing;
+        where = std::to_string(x) + ", " + std::to_string(y);
+      }
+  return missing;
+}
+
+/// On the two sides of a stroke two planes are seen, or one of them and none.
+int strokes_on_nothing(const Picture& picture, const Oracle& oracle, std::string& where) {
+  int wrong = 0;
+  for (const Stroke& stroke : picture.strokes)
+    for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
+      const Vec2 a = stroke.points[i], b = stroke.points[i + 1], along = b - a;
+      const double length = glm::length(along);
+      if (length < 64 * kBeside) continue;
+      const Vec2 middle = a + along * 0.381966, across = Vec2(-along.y, along.x) / length * kBeside;
+      const Vec2 p = middle + across, q = middle - across;
+      if (std::min({p.x, q.x, p.y, q.y}) < 0 || std::max(p.x, q.x) > 32 || std::max(p.y, q.y) > 40)
+        continue;
+      if (plane_of(picture, oracle, p.x, p.y) != plane_of(picture, oracle, q.x, q.y)) continue;
+      ++wrong;
+      where = std::to_string(middle.x) + ", " + std::to_string(middle.y) + " of kind " +
+              std::to_string(static_cast<int>(stroke.kind));
+    }
+  return wrong;
+}
+
+/// Lines in a plane that faces of two bodies share are drawn for both.
+void leave_the_solid(Scene& scene) {
+  Index operands = 0;
+  for (const SolidNode& node : scene.solids.front().nodes)
+    operands += node.operation == SetOperation::operand;
+  scene.bodies.resize(operands);
+}
+
+TEST(SolidStrokes, RunWhereWhatIsSeenChangesItsPlane) {
+  std::size_t strokes = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+    scene.light.reset(), scene.ground_z.reset();
+    leave_the_solid(scene);
+    const Picture picture(scene);
+    const Oracle oracle(*picture.canonical, picture.view);
+    strokes += picture.strokes.size();
+    std::string where;
+    EXPECT_EQ(runs_without_strokes(picture, oracle, where), 0) << "tree " << n << " at " << where;
+    EXPECT_EQ(strokes_on_nothing(picture, oracle, where), 0) << "tree " << n << " at " << where;
+  }
+  EXPECT_GT(strokes, 4u * kTrees);
+}
+
+}  // namespace
+}  // namespace overstrike::oracle
