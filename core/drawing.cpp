@@ -220,8 +220,8 @@ struct Drawing::Impl {
     if (lines_) return *lines_;
     const ShadowCaster* const casting = caster();
     Stopwatch watch;
-    lines_ =
-        std::make_unique<LineSource>(seen(), view, casting, density_tolerance(), options.threads);
+    lines_ = std::make_unique<LineSource>(seen(), view, casting, density_tolerance(),
+                                          options.threads, solid_options());
     timings.eye_ms += watch.ms();
     return *lines_;
   }
@@ -249,6 +249,8 @@ struct Drawing::Impl {
 
   const Canonical& seen() const { return clipped ? cut : *whole; }
 
+  SolidOptions solid_options() { return {options.coherence, false, &tally}; }
+
   double density_tolerance() const { return density_tolerance_of(options.tolerance); }
 
   void report(std::size_t done, std::size_t all) const {
@@ -263,6 +265,7 @@ struct Drawing::Impl {
   std::shared_ptr<const Canonical> whole;
   Canonical cut;
   bool clipped = false;
+  SolidTally tally;
   // Of the line resolver, each made when it is first wanted.
   std::unique_ptr<ShadowCaster> caster_;
   std::optional<std::vector<Shadow>> shadows_;
@@ -397,7 +400,8 @@ void Drawing::Impl::runs(const ScanFamily& family, const std::function<void(cons
   }
   const ShadowCaster* const casting = caster();
   Stopwatch table_watch;
-  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance(), options.threads);
+  const LineSource turned_lines(seen(), turned_view, casting, density_tolerance(), options.threads,
+                                solid_options());
   timings.eye_ms += table_watch.ms();
   scan(turned_lines, frame, frame.low.x, sink);
 }
@@ -417,11 +421,13 @@ Drawing::Drawing(Drawing&&) noexcept = default;
 void Drawing::cells(const std::function<void(const CellRow&)>& sink) {
   const FloatEnvironment ours;
   impl_->cells(sink);
+  impl_->timings.solids = impl_->tally.sum();
 }
 
 void Drawing::runs(const ScanFamily& family, const std::function<void(const RunRow&)>& sink) {
   const FloatEnvironment ours;
   impl_->runs(family, sink);
+  impl_->timings.solids = impl_->tally.sum();
 }
 
 std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {

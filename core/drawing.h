@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/picture.h"
 #include "core/scene/scene.h"
+#include "core/visibility/solid_options.h"
 
 namespace overstrike {
 
@@ -28,8 +29,9 @@ struct DrawOptions {
   Method method = Method::automatic;
   double tolerance =
       0.05;  ///< grid units; the promise of DESIGN: chords, area averages, stroke simplification
-  int threads = 0;       ///< 0: all processors
-  double margin = 0.02;  ///< of a fitted window
+  int threads = 0;                       ///< 0: all processors
+  double margin = 0.02;                  ///< of a fitted window
+  Coherence coherence = Coherence::all;  ///< of Boolean solids
   /// Called now and then with 0..1 of the present work, always from one thread.
   std::function<void(double)> progress;
 };
@@ -37,6 +39,7 @@ struct DrawOptions {
 /// NN74's phases: I light, II eye, III scan; and output, which the caller adds. Milliseconds.
 struct Timings {
   double light_ms = 0, eye_ms = 0, scan_ms = 0, output_ms = 0;
+  SolidCounts solids;
 };
 
 class Drawing {

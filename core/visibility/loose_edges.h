@@ -51,8 +51,8 @@ struct RowSide {
 /// Resolves a body or a solid alone. One a thread.
 class LooseResolver {
  public:
-  LooseResolver(const FrontTable& table, const FaceOrder& order)
-      : table_(table), order_(order), active_(order), solid_(table.canonical) {}
+  LooseResolver(const FrontTable& table, const FaceOrder& order, const SolidOptions& solids)
+      : table_(table), order_(order), active_(order), solid_(table.canonical, solids) {}
 
   /// Adds an edge of the body in hand that meets the level.
   void add(const LooseEdge& edge, double y);

@@ -13,13 +13,17 @@ constexpr std::size_t kFewItems = 64;
 
 }  // namespace
 
-SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads)
+SweepTable::SweepTable(const Canonical& canonical, const View& view, int threads,
+                       const SolidOptions& solid_options)
     : fronts(canonical, view, FrontUse::picture, threads),
       loose(fronts),
-      bodies(fronts.rows, fronts.bodies.size(), [&](std::size_t i) {
-        const FrontBody& body = fronts.bodies[i];
-        return body.seen && !body.loose ? std::pair(body.top, body.bottom) : std::pair(1.0, 0.0);
-      }) {}
+      bodies(fronts.rows, fronts.bodies.size(),
+             [&](std::size_t i) {
+               const FrontBody& body = fronts.bodies[i];
+               return body.seen && !body.loose ? std::pair(body.top, body.bottom)
+                                               : std::pair(1.0, 0.0);
+             }),
+      solids(solid_options) {}
 
 bool RowPlan::holds(double y, std::vector<double>& event_x) const {
   if (!(from <= y && y < until)) return false;
@@ -101,7 +105,7 @@ void RowPlanner::collect(double y) {
   }
   const std::span<const LevelBands::Item> edges = table_.loose.near(y);
   for (std::size_t i = 0; i < edges.size();) {
-    if (!loose_) loose_.emplace(table_.fronts, faces_);
+    if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
     const Index body = table_.loose[edges[i].number].body;
     for (; i < edges.size() && table_.loose[edges[i].number].body == body; ++i)
       if (edges[i].meets(y)) loose_->add(table_.loose[edges[i].number], y);
@@ -158,7 +162,7 @@ void RowPlanner::collect_front(Index body, double y) {
 }
 
 void RowPlanner::collect_loose(Index number, double y) {
-  if (!loose_) loose_.emplace(table_.fronts, faces_);
+  if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
   const CanonicalBody& body = table_.fronts.canonical.bodies[number];
   LooseEdge edge;
   for (Index e = body.first_edge; e < body.end_edge; ++e)

@@ -18,11 +18,13 @@ namespace overstrike {
 
 /// What all sweeps of a picture share.
 struct SweepTable {
-  SweepTable(const Canonical& canonical, const View& view, int threads);
+  SweepTable(const Canonical& canonical, const View& view, int threads,
+             const SolidOptions& solid_options);
 
   FrontTable fronts;
   LooseEdges loose;
   LevelBands bodies;  ///< that have a front, the ground too
+  SolidOptions solids;
 };
 
 /// For the levels from <= y < until, as long as the events keep their order.

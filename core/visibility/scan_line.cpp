@@ -28,8 +28,8 @@ class LineScanner : public RunScanner {
 }  // namespace
 
 LineSource::LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
-                       double density_tolerance, int threads)
-    : table_(canonical, view, threads),
+                       double density_tolerance, int threads, const SolidOptions& solids)
+    : table_(canonical, view, threads, solids),
       shadows_(table_.fronts, caster),
       density_tolerance_(density_tolerance) {}
 

@@ -15,7 +15,7 @@ class LineSource : public RunSource {
   /// `canonical` and `caster` (null: no light) must outlive this. `density_tolerance`: a run whose
   /// density bends farther than this from a straight line is split.
   LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
-             double density_tolerance, int threads);
+             double density_tolerance, int threads, const SolidOptions& solids = {});
   std::unique_ptr<RunScanner> scanner() const override;
 
  private:

@@ -89,6 +89,7 @@ SolidExpression::State::State(const SolidExpression& expression)
 
 void SolidExpression::State::flip(Index operand) {
   const bool now = in_[operand] == 0;
+  std::uint64_t updates = 0;
   in_[operand] = now;
   for (Index i = expression_->first_leaf_[operand]; i < expression_->first_leaf_[operand + 1];
        ++i) {
@@ -98,12 +99,14 @@ void SolidExpression::State::flip(Index operand) {
       const Term& term = expression_->terms_[t];
       const bool before = counts_[t] >= term.needed;
       counts_[t] += rises ? 1 : -1u;
+      ++updates;
       const bool after = counts_[t] >= term.needed;
       if (before == after) break;
       rises = after;
       t = term.parent;
     }
   }
+  updates_ += updates;
 }
 
 }  // namespace overstrike

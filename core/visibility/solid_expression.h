@@ -7,6 +7,7 @@
 // left are *terms* that are true while at least so many of their members are: one of a union, all
 // of an intersection. Where an operand is entered or left its terms count, and only a term that
 // changes tells the one above (TK 3.3.4 counts the same way, over products).
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,8 @@ class SolidExpression {
   class State {
    public:
     explicit State(const SolidExpression& expression);
+    /// How often a term has counted so far.
+    std::uint64_t updates() const { return updates_; }
     /// True when the place is in the solid.
     bool inside() const { return counts_[0] >= expression_->terms_[0].needed; }
     bool in(Index operand) const { return in_[operand] != 0; }
@@ -41,6 +44,7 @@ class SolidExpression {
     const SolidExpression* expression_;
     std::vector<Index> counts_;  ///< per term: how many of its members are true
     std::vector<char> in_;       ///< per operand
+    std::uint64_t updates_ = 0;
   };
 
  private:

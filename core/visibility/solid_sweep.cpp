@@ -8,9 +8,21 @@
 
 namespace overstrike {
 
+SolidSweep::~SolidSweep() {
+  if (options_.tally == nullptr) return;
+  count_work();
+  options_.tally->add(counts_);
+}
+
+/// Takes over what the state has counted.
+void SolidSweep::count_work() {
+  if (state_) counts_.updates += state_->updates();
+}
+
 void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& order, double y,
                        double reach) {
   if (expression_ != &expression) {
+    count_work();
     expression_ = &expression;
     state_.emplace(expression);
     winding_.assign(expression.operands(), 0);
@@ -172,6 +184,14 @@ void SolidSweep::settle(double low, double high) {
     for (Layer& layer : layers_) layer.fresh = false;
   }
   for (const Index face : entering_) insert(face);
+  if (options_.coherence == Coherence::none) forget_last_span();
+}
+
+/// For comparison: the layers are put in order as if they had been in none.
+void SolidSweep::forget_last_span() {
+  known_ = false;
+  for (Layer& layer : layers_) layer.before = kNone;
+  for (std::size_t i = 1; i < layers_.size(); ++i) move_into_order(i);
 }
 
 /// Layers before it are in order.
@@ -179,6 +199,7 @@ void SolidSweep::move_into_order(std::size_t at) {
   for (; at > 0 && compare(layers_[at], layers_[at - 1]) > 0; --at) {
     std::swap(layers_[at], layers_[at - 1]);
     changed_at(at - 1);
+    ++counts_.resorts;
   }
 }
 
@@ -237,7 +258,16 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
   return next;
 }
 
+/// Two neighbours in depth cross.
+void SolidSweep::exchange(std::size_t first) {
+  std::swap(layers_[first], layers_[first + 1]);
+  changed_at(first);
+  known_ = known_ && options_.coherence >= Coherence::span_and_behind;
+  ++counts_.crossings;
+}
+
 void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces) {
+  ++counts_.spans;
   double low = over.x0 + over.slack0, high = over.x1 - over.slack1;
   if (!(low < high)) low = high = over.x0 + (over.x1 - over.x0) / 2;
   settle(low, high);
@@ -249,8 +279,7 @@ void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces) {
   };
   for (double x = low; const std::optional<Crossing> next = next_crossing(x);) {
     x = next->x;
-    std::swap(layers_[next->first], layers_[next->first + 1]);
-    changed_at(next->first);
+    exchange(next->first);
     const Index now = seen();
     if (now == piece.face) continue;
     if (x > low) show_to(x, 0);
@@ -267,6 +296,7 @@ Index SolidSweep::seen() {
 
 /// The face of the solid that is nearest, or kNone.
 Index SolidSweep::find_seen() {
+  ++counts_.decisions;
   Index found = kNone;
   entered_.clear();
   decided_ = layers_.size() + 1;
@@ -290,6 +320,7 @@ Index SolidSweep::find_seen() {
   }
   for (const Layer& layer : layers_) winding_[layer.operand] = 0;
   for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
+  counts_.flips += entered_.size();
   for (const Index operand : entered_)
     if (state_->in(operand)) state_->flip(operand);
   return found;

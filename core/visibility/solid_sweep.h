@@ -13,6 +13,7 @@
 
 #include "core/visibility/layer_order.h"
 #include "core/visibility/solid_expression.h"
+#include "core/visibility/solid_options.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
@@ -21,7 +22,11 @@ namespace overstrike {
 class SolidSweep {
  public:
   /// Of `canonical` are the faces.
-  explicit SolidSweep(const Canonical& canonical) : canonical_(canonical) {}
+  explicit SolidSweep(const Canonical& canonical, const SolidOptions& options = {})
+      : canonical_(canonical), options_(options) {}
+  ~SolidSweep();
+  SolidSweep(const SolidSweep&) = delete;
+  SolidSweep& operator=(const SolidSweep&) = delete;
 
   /// Goes to the left of all edges of a solid's operands on the level, on which it is not asked
   /// farther than `reach` from the grid's origin. The order must outlive what is asked.
@@ -52,8 +57,10 @@ class SolidSweep {
     double x;
     std::size_t first;  ///< of the two layers
   };
+  void count_work();
   Layer layer_of(Index face) const;
   void settle(double low, double high);
+  void forget_last_span();
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void toggle_at_end(Index face);
@@ -64,6 +71,7 @@ class SolidSweep {
   std::optional<Crossing> next_crossing(double from);
   double crossing(const Layer& near, const Layer& far, double from) const;
   double before_until(const Layer& near, const Layer& far) const;
+  void exchange(std::size_t first);
   void changed_at(std::size_t at);
   bool ties(std::size_t at) const;
   bool stands_clear(std::size_t at) const;
@@ -75,6 +83,8 @@ class SolidSweep {
 
   const Canonical& canonical_;
   const LayerOrder* order_ = nullptr;
+  SolidOptions options_;
+  SolidCounts counts_;
   const SolidExpression* expression_ = nullptr;
   std::optional<SolidExpression::State> state_;
   double y_ = 0, reach_ = 0;
