@@ -27,6 +27,11 @@ class SolidExpression {
 
   Index operands() const { return static_cast<Index>(first_leaf_.size() - 1); }
   Index terms() const { return static_cast<Index>(terms_.size()); }
+  /// How many terms lie above one another at most.
+  Index depth() const { return depth_; }
+  /// The term of the operand's last leaf; the terms above one have smaller numbers. Precondition:
+  /// the operand has a leaf.
+  Index last_term(Index operand) const { return leaves_[first_leaf_[operand + 1] - 1].term; }
 
   /// One place on its way along a line of sight. Outside of everything at first. One a thread.
   class State {
@@ -58,6 +63,7 @@ class SolidExpression {
     bool complement;
   };
   friend class State;
+  Index depth_ = 0;
   std::vector<Term> terms_;
   std::vector<Leaf> leaves_;       ///< by operand
   std::vector<Index> first_leaf_;  ///< per operand, and one past the last

@@ -321,8 +321,8 @@ Index SolidSweep::find_seen() {
   for (const Layer& layer : layers_) winding_[layer.operand] = 0;
   for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
   counts_.flips += entered_.size();
-  for (const Index operand : entered_)
-    if (state_->in(operand)) state_->flip(operand);
+  for (auto operand = entered_.rbegin(); operand != entered_.rend(); ++operand)
+    if (state_->in(*operand)) state_->flip(*operand);
   return found;
 }
 
@@ -333,10 +333,16 @@ Index SolidSweep::enter(std::span<const Layer> group) {
   for (const Layer& layer : group) {
     const bool was_in = winding_[layer.operand] != 0;
     winding_[layer.operand] += layer.enters;
-    if (was_in == (winding_[layer.operand] != 0)) continue;
-    state_->flip(layer.operand);
-    changed_.push_back(layer.operand);
+    if (was_in != (winding_[layer.operand] != 0)) changed_.push_back(layer.operand);
   }
+  // In a chain each operand would tell all above it if those were entered before it; to sort pays
+  // where that is more than the steps of sorting.
+  if (changed_.size() > 1 &&
+      expression_->depth() > static_cast<Index>(std::bit_width(changed_.size())))
+    std::stable_sort(changed_.begin(), changed_.end(), [&](Index a, Index b) {
+      return expression_->last_term(a) > expression_->last_term(b);
+    });
+  for (const Index operand : changed_) state_->flip(operand);
   entered_.insert(entered_.end(), changed_.begin(), changed_.end());
   if (!state_->inside()) return kNone;
   return group.size() == 1 ? group.front().face : choose(group);
