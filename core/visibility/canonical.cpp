@@ -222,22 +222,27 @@ class Assembler {
         }
         face.plane = number[group];
         face.flipped = glm::dot(normal, out_.planes[face.plane].normal) < 0;
-        put_on_axis_plane(face);
+        const Index other = samples_[welded.representative[group]].body;
+        put_on_axis_plane(face, errors_[b].in_world + errors_[other].in_world);
       }
     }
     samples_ = {}, errors_ = {}, grouped_normals_ = {};
   }
 
   /// Vertices of faces that share a plane across an axis share its coordinate: a line along the
-  /// seam of two bodies must not look between them. They move by no more than they may be off.
-  void put_on_axis_plane(const CanonicalFace& face) {
+  /// seam of two bodies must not look between them. They move by no more than they may be off,
+  /// `most`: a face without an area stands in a plane that says nothing of its vertices.
+  void put_on_axis_plane(const CanonicalFace& face, double most) {
     const Plane& plane = out_.planes[face.plane];
     int axis = 0;
     while (axis < 3 && plane.normal[axis] != 1) ++axis;
     if (axis == 3 || plane.normal[(axis + 1) % 3] != 0 || plane.normal[(axis + 2) % 3] != 0) return;
     const Index end = out_.loop_ends[face.end_loop - 1];
-    for (Index i = out_.first_corner(face.first_loop); i < end; ++i)
-      out_.vertices[out_.corners[i]][axis] = plane.offset;
+    const std::span<const Index> corners(out_.corners.data() + out_.first_corner(face.first_loop),
+                                         out_.corners.data() + end);
+    for (const Index v : corners)
+      if (!(std::fabs(out_.vertices[v][axis] - plane.offset) <= most)) return;
+    for (const Index v : corners) out_.vertices[v][axis] = plane.offset;
   }
 
   /// Of samples, as faces number them until they are welded.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -442,6 +443,31 @@ TEST(Canonicalize, BoxesOnOneAnotherShareTheSeamToTheBit) {
         bottom = std::min(bottom, c.vertices[v].z);
       ASSERT_EQ(top, bottom) << far << ", " << n;
     }
+}
+
+/// A quadrilateral of two corners that are all but one has no area, and a plane that says nothing:
+/// its vertices were pressed into that, a unit away.
+TEST(Canonicalize, AFaceWithoutAnAreaMovesNoVertices) {
+  Mesh mesh;
+  mesh.polyhedron.vertices = {{-1, 1 + 0x1p-52, -2}, {1, -2, 1}, {1, 1, 2},
+                              {-1, 1, -2},           {2, 2, 1},  {1, -2, 2},
+                              {-1, -1, 0},           {2, 2, 2}};
+  for (const auto& face : {std::array<Index, 4>{0, 1, 3, 2},
+                           {4, 6, 7, 5},
+                           {0, 4, 5, 1},
+                           {2, 3, 7, 6},
+                           {0, 2, 6, 4},
+                           {1, 5, 7, 3}})
+    mesh.polyhedron.add_face(face);
+  const std::vector<Vec3> meant = mesh.polyhedron.vertices;
+  Scene scene;
+  scene.bodies.push_back(body(shape(mesh)));
+  scene.camera.look_at = Vec3(0.0);
+  for (const Vec3& found : canon(scene).canonical.vertices) {
+    double nearest = HUGE_VAL;
+    for (const Vec3& p : meant) nearest = std::min(nearest, glm::distance(p, found));
+    EXPECT_LT(nearest, 1e-12) << found.x << " " << found.y << " " << found.z;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "core/visibility/solid_expression.h"
 
+#include <algorithm>
+
 namespace overstrike {
 namespace {
 
@@ -76,6 +78,9 @@ SolidExpression::SolidExpression(std::span<const SolidNode> nodes, Index operand
     terms_[f.leaf.term].at_rest += f.leaf.complement;
   }
   // Terms come before their members.
+  std::vector<Index> depth(terms(), 1);
+  for (Index t = 1; t < terms(); ++t) depth[t] = depth[terms_[t].parent] + 1;
+  depth_ = *std::max_element(depth.begin(), depth.end());
   for (Index t = terms(); t-- > 0;) {
     if (all[t] != 0) terms_[t].needed = members[t];
     if (t > 0) terms_[terms_[t].parent].at_rest += terms_[t].at_rest >= terms_[t].needed;

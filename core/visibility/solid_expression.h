@@ -27,6 +27,11 @@ class SolidExpression {
 
   Index operands() const { return static_cast<Index>(first_leaf_.size() - 1); }
   Index terms() const { return static_cast<Index>(terms_.size()); }
+  /// How many terms lie above one another at most.
+  Index depth() const { return depth_; }
+  /// The term of the operand's last leaf; the terms above one have smaller numbers. Precondition:
+  /// the operand has a leaf.
+  Index last_term(Index operand) const { return leaves_[first_leaf_[operand + 1] - 1].term; }
 
   struct Term {
     Index parent;   ///< kNoTerm: the root, which is term 0
@@ -65,6 +70,7 @@ class SolidExpression {
 
  private:
   friend class State;
+  Index depth_ = 0;
   std::vector<Term> terms_;
   std::vector<Leaf> leaves_;       ///< by operand
   std::vector<Index> first_leaf_;  ///< per operand, and one past the last

@@ -371,7 +371,7 @@ Index SolidSweep::find_seen(Candidate& of) {
     while (first < layers.size() && found == kNone && layers[first].face != LayerOrder::kEnd) {
       std::size_t end = first + 1;
       while (end < layers.size() && layers[end].plane == layers[first].plane) ++end;
-      found = enter(state, {layers.data() + first, end - first});
+      found = enter(of, {layers.data() + first, end - first});
       first = end;
     }
     return first;
@@ -386,22 +386,30 @@ Index SolidSweep::find_seen(Candidate& of) {
   for (const Layer& layer : layers_) winding_[layer.operand] = 0;
   for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
   counts_.flips += entered_.size();
-  for (const Index operand : entered_)
-    if (state.in(operand)) state.flip(operand);
+  for (auto operand = entered_.rbegin(); operand != entered_.rend(); ++operand)
+    if (state.in(*operand)) state.flip(*operand);
   return found;
 }
 
 /// Passes faces of one plane, which are counted together before it is decided whether the solid
 /// begins there (TK 3.3.4, step 5). The one that is seen if it does, or kNone.
-Index SolidSweep::enter(SolidExpression::State& state, std::span<const Layer> group) {
+Index SolidSweep::enter(Candidate& of, std::span<const Layer> group) {
+  SolidExpression::State& state = *of.state;
+  const SolidExpression& expression = *of.expression;
   changed_.clear();
   for (const Layer& layer : group) {
     const bool was_in = winding_[layer.operand] != 0;
     winding_[layer.operand] += layer.enters;
-    if (was_in == (winding_[layer.operand] != 0)) continue;
-    state.flip(layer.operand);
-    changed_.push_back(layer.operand);
+    if (was_in != (winding_[layer.operand] != 0)) changed_.push_back(layer.operand);
   }
+  // In a chain each operand would tell all above it if those were entered before it; to sort pays
+  // where that is more than the steps of sorting.
+  if (changed_.size() > 1 &&
+      expression.depth() > static_cast<Index>(std::bit_width(changed_.size())))
+    std::stable_sort(changed_.begin(), changed_.end(), [&](Index a, Index b) {
+      return expression.last_term(a) > expression.last_term(b);
+    });
+  for (const Index operand : changed_) state.flip(operand);
   entered_.insert(entered_.end(), changed_.begin(), changed_.end());
   if (!state.inside()) return kNone;
   return group.size() == 1 ? group.front().face : choose(state, group);

@@ -119,7 +119,7 @@ class SolidSweep {
   Index seen(Candidate& of);
   Index cut_away();
   Index find_seen(Candidate& of);
-  Index enter(SolidExpression::State& state, std::span<const Layer> group);
+  Index enter(Candidate& of, std::span<const Layer> group);
   Index choose(SolidExpression::State& state, std::span<const Layer> group);
   bool needed(SolidExpression::State& state, Index operand, std::span<const Index> changed);
 

@@ -113,7 +113,7 @@ TEST(SceneErrors, LongChainsOfDefinitionsEnd) {
 TEST(SceneErrors, DeepGroupsAndAliasBombsEndFast) {
   std::string groups = "bodies: ";
   for (int i = 0; i < 100000; ++i) groups += "[{group: ";
-  EXPECT_THAT(errors_of(groups), testing::HasSubstr("nested deeper than 256 levels"));
+  EXPECT_THAT(errors_of(groups), testing::HasSubstr("nested deeper than 480 levels"));
   std::string bomb = "define:\n  a0: &a0 [{box: 1}, {box: 1}]\n";
   for (int i = 1; i < 40; ++i)
     bomb += fmt::format("  a{0}: &a{0} [{{group: *a{1}}}, {{group: *a{1}}}]\n", i, i - 1);

@@ -35,7 +35,7 @@ struct Stop {
 };
 
 constexpr const char* kTooMany = "more than 4 million values, counting those that aliases repeat";
-constexpr const char* kTooDeep = "nested deeper than 256 levels";
+constexpr const char* kTooDeep = "nested deeper than 480 levels";
 
 }  // namespace
 
