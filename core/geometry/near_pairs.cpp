@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
+
+#include "core/geometry/polygon.h"
 
 namespace overstrike {
 namespace {
@@ -12,115 +13,126 @@ namespace {
 constexpr std::size_t kFewPairs = 64;
 /// Halving must leave at most this part of the pairs, or it is not worth its copies.
 constexpr double kWorthwhile = 0.75;
-/// Bound of the error of a projection n.x x + n.y y in doubles: two products and a sum, each within
-/// 2^-53, and as much again for its ends' widening.
-constexpr double kProjection = 8 * 0x1p-53;
 
-struct Interval {
-  double low, high;
-  double middle() const { return low / 2 + high / 2; }
-};
-
-/// Holds the projections of all points within `reach` of a segment.
-Interval across(const Vec2& normal, const Segment2& s, double reach) {
-  const auto at = [&](const Vec2& p) { return normal.x * p.x + normal.y * p.y; };
-  const auto size = [&](const Vec2& p) {
-    return std::fabs(normal.x * p.x) + std::fabs(normal.y * p.y);
-  };
-  const double from = at(s.from), to = at(s.to);
-  const double wide = reach * (std::fabs(normal.x) + std::fabs(normal.y));
-  const double slack = wide + kProjection * (std::max(size(s.from), size(s.to)) + wide);
-  return {std::min(from, to) - slack, std::max(from, to) + slack};
-}
+/// Segments to halve along, in parts of those in hand; all but the first only where nothing else
+/// was worthwhile. A prime, so that they fall on all kinds where loops repeat.
+constexpr std::size_t kParts = 107, kTries[] = {53, 23, 79, 41, 67, 7, 97};
 
 using Items = std::vector<Index>;
 
+/// Whether a thing has a part before a cut, and behind it.
+struct Sides {
+  bool before = false, behind = false;
+  void add(double side) { before = before || side < 0, behind = behind || side > 0; }
+  bool neither() const { return !before && !behind; }
+};
+
+/// Along an axis or along a segment.
+struct Cut {
+  const Segment2* along = nullptr;
+  int axis = 0;
+  double at = 0;
+  double pairs = std::numeric_limits<double>::infinity();  ///< that it leaves
+
+  double side(const Vec2& p) const {
+    return along != nullptr ? turn_of(along->from, along->to, p) : p[axis] - at;
+  }
+};
+
 class Halving {
  public:
-  Halving(std::span<const Segment2> a, std::span<const Segment2> b, double reach, bool same,
-          const std::function<void(Index, Index)>& visit)
-      : a_(a), b_(b), reach_(reach), same_(same), visit_(visit) {}
+  /// Of two things that meet one has a part on each side of where they do, or both have one on the
+  /// same: so squares are looked at as twice as large, and a segment that only reaches a cut has no
+  /// part behind it.
+  Halving(std::span<const Segment2> segments, std::span<const Vec2> points, double reach,
+          const VisitPair& visit)
+      : segments_(segments),
+        points_(points),
+        same_(points.empty()),
+        reach_(2 * reach),
+        visit_(visit) {}
 
-  /// `b` is empty where segments are paired among themselves.
-  void run(Items a, Items b) {
-    const double pairs = product(a.size(), same_ ? a.size() : b.size());
-    const Cut cut = pairs > kFewPairs ? best_cut(a, b) : Cut{};
-    if (!(cut.pairs <= kWorthwhile * pairs)) return visit_all(a, b);
-    Items low, low_b, high, high_b;
-    share(cut, a_, a, low, high);
-    if (!same_) share(cut, b_, b, low_b, high_b);
-    a = {}, b = {};
-    run(std::move(low), std::move(low_b));
-    run(std::move(high), std::move(high_b));
+  /// No points where segments are paired among themselves.
+  void run(Items segments, Items points) {
+    const double pairs = product(segments.size(), same_ ? segments.size() : points.size());
+    const double enough = kWorthwhile * pairs;
+    const Cut cut = pairs > kFewPairs ? best_cut(segments, points, enough) : Cut{};
+    if (!(cut.pairs <= enough)) return visit_all(segments, points);
+    std::array<Items, 2> s, p;
+    for (const Index i : segments) share(sides_of(cut, segments_[i]), i, s);
+    for (const Index i : points) share(sides_of(cut, points_[i]), i, p);
+    segments = {}, points = {};
+    for (const int side : {0, 1}) run(std::move(s[side]), std::move(p[side]));
   }
 
  private:
-  struct Cut {
-    Vec2 normal{0};
-    double at = 0;
-    double pairs = std::numeric_limits<double>::infinity();  ///< that it leaves
-  };
-
   static double product(std::size_t a, std::size_t b) {
     return static_cast<double>(a) * static_cast<double>(b);
   }
 
-  Cut best_cut(const Items& a, const Items& b) {
-    const Segment2& middle = a_[a[a.size() / 2]];
-    const Vec2 along = middle.to - middle.from;
-    const double size = std::max(std::fabs(along.x), std::fabs(along.y));
+  static Sides sides_of(const Cut& cut, const Segment2& s) {
+    Sides sides;
+    sides.add(cut.side(s.from)), sides.add(cut.side(s.to));
+    return sides;
+  }
+  Sides sides_of(const Cut& cut, const Vec2& point) const {
+    Sides sides;
+    for (const double x : {-reach_, reach_})
+      for (const double y : {-reach_, reach_}) sides.add(cut.side(point + Vec2(x, y)));
+    return sides;
+  }
+  /// What lies in a cut crosses only what has parts on both sides.
+  static void share(const Sides& sides, Index i, std::array<Items, 2>& to) {
+    if (sides.before || sides.neither()) to[0].push_back(i);
+    if (sides.behind) to[1].push_back(i);
+  }
+
+  Cut best_cut(const Items& segments, const Items& points, double enough) {
     Cut best;
-    for (const Vec2& normal : {Vec2(1, 0), Vec2(0, 1), Vec2(-along.y, along.x) / size}) {
-      if (!std::isfinite(normal.x)) continue;
-      const Cut cut = median_cut(normal, a, b);
+    const auto take = [&](Cut cut) {
+      cut.pairs = pairs_left(cut, segments, points);
       if (cut.pairs < best.pairs) best = cut;
-    }
+    };
+    for (const int axis : {0, 1}) take({nullptr, axis, median(segments, axis)});
+    for (std::size_t k = 0; k < std::size(kTries) && (k == 0 || best.pairs > enough); ++k)
+      take({&segments_[segments[segments.size() * kTries[k] / kParts]]});
     return best;
   }
 
-  Cut median_cut(const Vec2& normal, const Items& a, const Items& b) {
-    const auto project = [&](std::span<const Segment2> of, const Items& items,
-                             std::vector<Interval>& out) {
-      out.clear();
-      for (const Index i : items) out.push_back(across(normal, of[i], reach_));
+  /// Of the ends, as many things may begin at one.
+  double median(const Items& segments, int axis) {
+    ends_.clear();
+    for (const Index i : segments)
+      ends_.push_back(segments_[i].from[axis]), ends_.push_back(segments_[i].to[axis]);
+    const auto half = ends_.begin() + static_cast<std::ptrdiff_t>(segments.size());
+    std::nth_element(ends_.begin(), half, ends_.end());
+    return *half;
+  }
+
+  double pairs_left(const Cut& cut, const Items& segments, const Items& points) const {
+    std::size_t s[2]{}, p[2]{};
+    const auto count = [](const Sides& sides, std::size_t* to) {
+      to[0] += sides.before || sides.neither(), to[1] += sides.behind;
     };
-    project(a_, a, of_a_);
-    if (!same_) project(b_, b, of_b_);
-    middles_.clear();
-    for (const Interval& i : of_a_) middles_.push_back(i.middle());
-    const auto half = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
-    std::nth_element(middles_.begin(), half, middles_.end());
-    const double at = *half;
-    const auto count = [&](const std::vector<Interval>& of) {
-      std::array<std::size_t, 2> sides{};
-      for (const Interval& i : of) sides[0] += i.low <= at, sides[1] += i.high >= at;
-      return sides;
-    };
-    const auto in_a = count(of_a_), in_b = same_ ? in_a : count(of_b_);
-    return {normal, at, product(in_a[0], in_b[0]) + product(in_a[1], in_b[1])};
+    for (const Index i : segments) count(sides_of(cut, segments_[i]), s);
+    if (same_) return product(s[0], s[0]) + product(s[1], s[1]);
+    for (const Index i : points) count(sides_of(cut, points_[i]), p);
+    return product(s[0], p[0]) + product(s[1], p[1]);
   }
 
-  void share(const Cut& cut, std::span<const Segment2> of, const Items& items, Items& low,
-             Items& high) const {
-    for (const Index i : items) {
-      const Interval interval = across(cut.normal, of[i], reach_);
-      if (interval.low <= cut.at) low.push_back(i);
-      if (interval.high >= cut.at) high.push_back(i);
-    }
+  void visit_all(const Items& segments, const Items& points) const {
+    const Items& others = same_ ? segments : points;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      for (std::size_t j = same_ ? i + 1 : 0; j < others.size(); ++j)
+        visit_(segments[i], others[j]);
   }
 
-  void visit_all(const Items& a, const Items& b) const {
-    const Items& others = same_ ? a : b;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = same_ ? i + 1 : 0; j < others.size(); ++j) visit_(a[i], others[j]);
-  }
-
-  std::span<const Segment2> a_, b_;
-  double reach_;
+  std::span<const Segment2> segments_;
+  std::span<const Vec2> points_;
   bool same_;
-  const std::function<void(Index, Index)>& visit_;
-  std::vector<Interval> of_a_, of_b_;
-  std::vector<double> middles_;
+  double reach_;
+  const VisitPair& visit_;
+  std::vector<double> ends_;
 };
 
 Items numbers_to(std::size_t count) {
@@ -131,16 +143,15 @@ Items numbers_to(std::size_t count) {
 
 }  // namespace
 
-void near_pairs(std::span<const Segment2> a, std::span<const Segment2> b, double reach,
-                const std::function<void(Index, Index)>& visit) {
-  if (a.empty() || b.empty()) return;
-  Halving(a, b, reach, false, visit).run(numbers_to(a.size()), numbers_to(b.size()));
+void crossing_pairs(std::span<const Segment2> segments, const VisitPair& visit) {
+  Halving(segments, {}, 0, visit).run(numbers_to(segments.size()), {});
 }
 
-void near_pairs(std::span<const Segment2> segments,
-                const std::function<void(Index, Index)>& visit) {
-  if (segments.empty()) return;
-  Halving(segments, segments, 0, true, visit).run(numbers_to(segments.size()), {});
+void near_pairs(std::span<const Segment2> segments, std::span<const Vec2> points, double reach,
+                const VisitPair& visit) {
+  if (points.empty()) return;
+  Halving(segments, points, reach, visit)
+      .run(numbers_to(segments.size()), numbers_to(points.size()));
 }
 
 }  // namespace overstrike

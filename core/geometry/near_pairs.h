@@ -12,16 +12,21 @@ struct Segment2 {
   Vec2 from, to;
 };
 
-/// Calls `visit` for pairs (i of `a`, j of `b`), among them every pair of which the squares of
-/// `reach` about some point of each overlap or touch. Pairs may come more than once.
-///
-/// The things in hand are halved at the median across x, across y, or across one of them, whichever
-/// separates best; so crowds are taken apart wherever they are, and long parallels across their
-/// direction. Of n that lie apart n log n steps; of those through one point all pairs.
-void near_pairs(std::span<const Segment2> a, std::span<const Segment2> b, double reach,
-                const std::function<void(Index, Index)>& visit);
+/// Called with numbers of two things. Pairs may come more than once.
+using VisitPair = std::function<void(Index, Index)>;
 
-/// The same among the segments themselves, i < j.
-void near_pairs(std::span<const Segment2> segments, const std::function<void(Index, Index)>& visit);
+/// Visits pairs i < j of segments, among them all that have a point in common other than an end of
+/// both.
+///
+/// The things in hand are halved at a coordinate in x, in y, or along one of them, whichever
+/// separates best; so crowds are taken apart wherever they are, long parallels along their
+/// direction, and fans along one of their rays. Of n that lie apart n log n steps; all pairs of
+/// those that cross one another.
+void crossing_pairs(std::span<const Segment2> segments, const VisitPair& visit);
+
+/// Visits pairs (segment, point), among them all in which the segment passes or touches the square
+/// about the point, of half the side `reach`.
+void near_pairs(std::span<const Segment2> segments, std::span<const Vec2> points, double reach,
+                const VisitPair& visit);
 
 }  // namespace overstrike

@@ -148,33 +148,41 @@ class Outlines {
 
   /// Where things come so near one another that moving them could change sides.
   void fix_what_is_near() {
-    struct Step {
-      Index border, run, run_before;
-    };
     fixed_runs_.assign(run_count_, false);
-    std::vector<Segment2> pieces, points;
-    std::vector<Step> steps;
+    std::vector<Step> steps, at_sites;
+    std::vector<Segment2> pieces;
+    std::vector<Vec2> points;
+    std::vector<bool> seen(fixed_.size(), false);
     for (const Loop& loop : loops_)
       for (std::size_t i = 0; i < loop.borders.size(); ++i) {
         const Border& b = borders_[loop.borders[i]];
-        const Vec2 &from = a_.middles[b.from], &to = a_.middles[b.to];
-        pieces.push_back({from, to}), points.push_back({from, from});
-        steps.push_back(
-            {loop.borders[i], loop.runs[i], i == 0 ? loop.runs.back() : loop.runs[i - 1]});
+        const Index before = i == 0 ? loop.runs.back() : loop.runs[i - 1];
+        steps.push_back({loop.borders[i], loop.runs[i], before});
+        pieces.push_back({a_.middles[b.from], a_.middles[b.to]});
+        if (seen[b.from]) continue;
+        seen[b.from] = true;
+        at_sites.push_back(steps.back()), points.push_back(pieces.back().from);
       }
     near_pairs(pieces, points, kNear / 2 * a_.side, [&](Index p, Index q) {
-      const Step& at = steps[q];
-      const Index run = steps[p].run, site = borders_[at.border].from;
-      if (run == at.run || run == at.run_before) return;
-      if (borders_[steps[p].border].from == site || borders_[steps[p].border].to == site) return;
-      if (!passes(pieces[p], a_.middles[site], kNear * a_.side)) return;
-      fixed_runs_[run] = true;
-      fixed_[site] = true;
-      if (at.run == at.run_before) fixed_runs_[at.run] = true;
+      if (passes(pieces[p], points[q], kNear * a_.side)) fix(steps[p], at_sites[q]);
     });
     for (const Step& step : steps)
       if (fixed_runs_[step.run])
         fixed_[borders_[step.border].from] = fixed_[borders_[step.border].to] = true;
+  }
+
+  /// A piece, or the site that it begins at.
+  struct Step {
+    Index border, run, run_before;
+  };
+
+  void fix(const Step& piece, const Step& at) {
+    const Index site = borders_[at.border].from;
+    if (borders_[piece.border].from == site || borders_[piece.border].to == site) return;
+    if (leaving_[site] == 1 && (piece.run == at.run || piece.run == at.run_before)) return;
+    fixed_runs_[piece.run] = true;
+    fixed_[site] = true;
+    if (at.run == at.run_before) fixed_runs_[at.run] = true;
   }
 
   Vec2 point_of(Index site) const { return fixed_[site] ? a_.middles[site] : a_.points[site]; }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
+#include "core/geometry/error_free.h"
 #include "core/geometry/expansion.h"
 #include "core/geometry/polygon.h"
 
@@ -35,6 +37,54 @@ bool cross(const Segment2& e, const Segment2& f) {
          turn_of(e.from, e.to, f.from) * turn_of(e.from, e.to, f.to) < 0;
 }
 
+/// About twice the digits of a double, and how far the true value may be.
+class SumOfTwo {
+ public:
+  SumOfTwo() = default;
+  explicit SumOfTwo(double value) : hi_(value) {}
+
+  double value() const { return hi_; }
+  double error() const { return error_ + std::fabs(lo_); }
+
+  friend SumOfTwo operator+(const SumOfTwo& a, const SumOfTwo& b) {
+    const DoubleDouble s = two_sum(a.hi_, b.hi_);
+    return {s.hi, s.lo + (a.lo_ + b.lo_),
+            a.error_ + b.error_ + kStep * (std::fabs(s.lo) + std::fabs(a.lo_) + std::fabs(b.lo_))};
+  }
+  friend SumOfTwo operator-(const SumOfTwo& a, const SumOfTwo& b) {
+    return a + SumOfTwo(-b.hi_, -b.lo_, b.error_);
+  }
+  friend SumOfTwo operator*(const SumOfTwo& a, const SumOfTwo& b) {
+    const DoubleDouble p = two_product(a.hi_, b.hi_);
+    const double cross = a.hi_ * b.lo_ + a.lo_ * b.hi_;
+    const double size = std::fabs(a.hi_ * b.lo_) + std::fabs(a.lo_ * b.hi_) + std::fabs(p.lo);
+    return {p.hi, p.lo + cross,
+            kStep * size + std::fabs(a.lo_ * b.lo_) * 2 + a.error_ * (std::fabs(b.hi_) * 2) +
+                b.error_ * (std::fabs(a.hi_) * 2 + a.error_)};
+  }
+  /// Infinitely unsure where the divisor may be 0.
+  friend SumOfTwo operator/(const SumOfTwo& a, const SumOfTwo& b) {
+    const double least = std::fabs(b.hi_) - std::fabs(b.lo_) - b.error_;
+    if (!(least > 0)) return {0, 0, std::numeric_limits<double>::infinity()};
+    const double q = a.hi_ / b.hi_;
+    const SumOfTwo rest = a - SumOfTwo(q) * b;
+    const double more = rest.hi_ / b.hi_;
+    const SumOfTwo left = rest - SumOfTwo(more) * b;
+    return {q, more, (std::fabs(left.hi_) + std::fabs(left.lo_) + left.error_) / least * 2};
+  }
+
+ private:
+  SumOfTwo(double hi, double lo, double error) : error_(error) {
+    const DoubleDouble s = two_sum(hi, lo);
+    hi_ = s.hi, lo_ = s.lo;
+  }
+
+  /// Few roundings of numbers of the size it is multiplied with, and as much again for the
+  /// roundings of the bound itself.
+  static constexpr double kStep = 8 * 0x1p-53;
+  double hi_ = 0, lo_ = 0, error_ = 0;
+};
+
 /// The lattice, coordinate by coordinate.
 class Squares {
  public:
@@ -43,6 +93,10 @@ class Squares {
   double middle_of(double x) const { return std::floor(x / side_ + 0.5) * side_; }
   Vec2 middle_of(const Vec2& p) const { return {middle_of(p.x), middle_of(p.y)}; }
 
+  /// Whatever is within `error` of x is in one square.
+  bool sure(double x, double error) const {
+    return std::fabs(x - middle_of(x)) + error < side_ / 2;
+  }
   /// Of over / under, which is about `near`: exactly.
   double middle_of(const Expansion& over, const Expansion& under, double near) const {
     double middle = middle_of(near);
@@ -63,26 +117,52 @@ class Squares {
 
 /// Where two segments cross. Precondition: e.from before e.to, f.from before f.to, and e first in
 /// order, so that the result is the same whatever they were given as.
-Heat crossing_of(const Segment2& e, const Segment2& f, const Squares& squares) {
-  const auto minus = [](double a, double b) { return Expansion(a) - Expansion(b); };
-  const Expansion x = minus(e.to.x, e.from.x), y = minus(e.to.y, e.from.y);
-  const Expansion fx = minus(f.to.x, f.from.x), fy = minus(f.to.y, f.from.y);
-  const Expansion under = x * fy - y * fx;
-  const Expansion part = minus(f.from.x, e.from.x) * fy - minus(f.from.y, e.from.y) * fx;
-  const Expansion over_x = Expansion(e.from.x) * under + x * part;
-  const Expansion over_y = Expansion(e.from.y) * under + y * part;
-  Heat heat{Vec2(0), true, Vec2(0)};
-  const double divisor = under.approximate();
-  const auto set = [&](double e0, double e1, double f0, double f1, const Expansion& over,
-                       double& point, double& middle) {
-    point = e0 == e1 ? e0 : f0 == f1 ? f0 : over.approximate() / divisor;
-    middle = squares.middle_of(over, under, point);
-    point = squares.within(middle, point);
-  };
-  set(e.from.x, e.to.x, f.from.x, f.to.x, over_x, heat.point.x, heat.middle.x);
-  set(e.from.y, e.to.y, f.from.y, f.to.y, over_y, heat.point.y, heat.middle.y);
-  return heat;
-}
+class Crossing {
+ public:
+  Crossing(const Segment2& e, const Segment2& f, const Squares& squares)
+      : e_(e), f_(f), squares_(squares) {
+    const SumOfTwo x = minus(e.to.x, e.from.x), y = minus(e.to.y, e.from.y);
+    const SumOfTwo fx = minus(f.to.x, f.from.x), fy = minus(f.to.y, f.from.y);
+    const SumOfTwo under = x * fy - y * fx;
+    part_ = (minus(f.from.x, e.from.x) * fy - minus(f.from.y, e.from.y) * fx) / under;
+  }
+
+  Heat heat() const {
+    Heat heat{Vec2(0), true, Vec2(0)};
+    for (const int axis : {0, 1}) find(axis, heat.point[axis], heat.middle[axis]);
+    return heat;
+  }
+
+ private:
+  static SumOfTwo minus(double a, double b) { return SumOfTwo(a) - SumOfTwo(b); }
+
+  void find(int axis, double& point, double& middle) const {
+    for (const Segment2* s : {&e_, &f_})
+      if (s->from[axis] == s->to[axis]) {
+        point = s->from[axis], middle = squares_.middle_of(point);
+        return;
+      }
+    const SumOfTwo at = SumOfTwo(e_.from[axis]) + minus(e_.to[axis], e_.from[axis]) * part_;
+    point = at.value();
+    middle =
+        squares_.sure(point, at.error()) ? squares_.middle_of(point) : exact_middle(axis, point);
+    point = squares_.within(middle, point);
+  }
+
+  double exact_middle(int axis, double near) const {
+    const auto exactly = [](double a, double b) { return Expansion(a) - Expansion(b); };
+    const Expansion x = exactly(e_.to.x, e_.from.x), y = exactly(e_.to.y, e_.from.y);
+    const Expansion fx = exactly(f_.to.x, f_.from.x), fy = exactly(f_.to.y, f_.from.y);
+    const Expansion under = x * fy - y * fx;
+    const Expansion part = exactly(f_.from.x, e_.from.x) * fy - exactly(f_.from.y, e_.from.y) * fx;
+    return squares_.middle_of(Expansion(e_.from[axis]) * under + (axis == 0 ? x : y) * part, under,
+                              near);
+  }
+
+  const Segment2 &e_, &f_;
+  const Squares& squares_;
+  SumOfTwo part_;  ///< of e, from its first end to the crossing
+};
 
 class Rounder {
  public:
@@ -110,13 +190,13 @@ class Rounder {
   }
 
   void add_crossings() {
-    near_pairs(segments_, [&](Index i, Index j) {
+    crossing_pairs(segments_, [&](Index i, Index j) {
       if (!cross(segments_[i], segments_[j])) return;
       Segment2 e = segments_[i], f = segments_[j];
       for (Segment2* s : {&e, &f})
         if (before(s->to, s->from)) std::swap(s->from, s->to);
       if (e.from == f.from ? before(f.to, e.to) : before(f.from, e.from)) std::swap(e, f);
-      heats_.push_back(crossing_of(e, f, squares_));
+      heats_.push_back(Crossing(e, f, squares_).heat());
     });
   }
 
@@ -131,10 +211,8 @@ class Rounder {
   }
 
   void lead() {
-    std::vector<Segment2> sites;
-    for (const Vec2& m : result_.middles) sites.push_back({m, m});
     std::vector<std::pair<Index, Index>> passed;
-    near_pairs(segments_, sites, result_.side / 2, [&](Index s, Index site) {
+    near_pairs(segments_, result_.middles, result_.side / 2, [&](Index s, Index site) {
       if (passes(segments_[s], result_.middles[site], result_.side)) passed.emplace_back(s, site);
     });
     std::sort(passed.begin(), passed.end());
