@@ -1,6 +1,7 @@
 #include "core/geometry/region_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -216,6 +217,21 @@ Region combine(SetOperation operation, std::span<const Region> operands) {
   std::vector<SolidNode> nodes{{operation, 0, count + 1}};
   for (Index i = 0; i < count; ++i) nodes.push_back({SetOperation::operand, i, i + 2});
   return resolve(nodes, operands);
+}
+
+bool is_tidy(const Region& region) {
+  const auto edges = [](const Region& of) {
+    std::vector<std::array<double, 4>> all;
+    for (const Segment2& s : edges_of({&of, 1}).segments) {
+      std::array<double, 4> edge{s.from.x, s.from.y, s.to.x, s.to.y};
+      const std::array<double, 4> turned{s.to.x, s.to.y, s.from.x, s.from.y};
+      all.push_back(std::min(edge, turned));
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const Region tidy = combine(SetOperation::unite, {&region, 1});
+  return tidy.loops.size() == region.loops.size() && edges(tidy) == edges(region);
 }
 
 }  // namespace overstrike

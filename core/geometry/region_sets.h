@@ -27,10 +27,15 @@ namespace overstrike {
 
 /// `operation` of all operands: union, intersection, or the first without all others. Loops of an
 /// operand may touch, lie on one another and cross: what lies within an odd number is inside. Of no
-/// operands the result is empty.
+/// operands the result is empty. Throws WorkError where more than kMostCrossings would have to be
+/// kept.
 Region combine(SetOperation operation, std::span<const Region> operands);
 
 /// A tree of operations. The `body` of a leaf is the number of its operand.
 Region resolve(std::span<const SolidNode> nodes, std::span<const Region> operands);
+
+/// Its loops, however turned, are simple and have nothing in common but vertices of both, and none
+/// of these is straight on: as results are.
+bool is_tidy(const Region& region);
 
 }  // namespace overstrike

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 
+#include "core/error.h"
 #include "core/geometry/error_free.h"
 #include "core/geometry/expansion.h"
 #include "core/geometry/polygon.h"
@@ -196,6 +198,9 @@ class Rounder {
       for (Segment2* s : {&e, &f})
         if (before(s->to, s->from)) std::swap(s->from, s->to);
       if (e.from == f.from ? before(f.to, e.to) : before(f.from, e.from)) std::swap(e, f);
+      if (++crossings_ > kMostCrossings)
+        throw WorkError("outlines that cross more than " + std::to_string(kMostCrossings) +
+                        " times");
       heats_.push_back(Crossing(e, f, squares_).heat());
     });
   }
@@ -244,6 +249,7 @@ class Rounder {
   SnapRounded result_;
   Squares squares_;
   std::vector<Heat> heats_;
+  std::size_t crossings_ = 0;
 };
 
 }  // namespace

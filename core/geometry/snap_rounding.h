@@ -35,6 +35,10 @@ struct SnapRounded {
   }
 };
 
+/// A gigabyte of crossings comes of a slip of the pen.
+constexpr std::size_t kMostCrossings = std::size_t{1} << 22;
+
+/// Throws WorkError when there are more.
 SnapRounded snap_round(std::span<const Segment2> segments);
 
 /// A segment passes the square about `middle` that holds its lower borders.
