@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/visibility/face_order.h"
 #include "core/scene/solid_expression.h"
+#include "core/visibility/face_order.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {
