@@ -36,6 +36,11 @@ struct RenderCommand {
   bool verbose = false;
 };
 
+/// Of what is rendered, without output and timings; the device is the terminal.
+struct WatchCommand {
+  RenderCommand render;
+};
+
 struct EmulateCommand {
   std::string machine;  ///< line-printer or plotter
   std::string input;    ///< a file, or - for standard input
@@ -59,14 +64,15 @@ struct TextCommand {
   std::string text;
 };
 
-using Command =
-    std::variant<RenderCommand, EmulateCommand, CheckCommand, DevicesCommand, TextCommand>;
+using Command = std::variant<RenderCommand, WatchCommand, EmulateCommand, CheckCommand,
+                             DevicesCommand, TextCommand>;
 
 /// The words after the program's name. Throws UsageError.
 Command parse_command_line(std::span<const std::string> words);
 
 // Each returns an exit status, or throws UsageError, InputError (both: status 2) or WorkError (1).
 int run(const RenderCommand&);
+int run(const WatchCommand&);
 int run(const EmulateCommand&);
 int run(const CheckCommand&);
 int run(const DevicesCommand&);

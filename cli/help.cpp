@@ -69,6 +69,16 @@ Examples:
   generate | overstrike render - --format yaml -d line-printer -o - | lpr
 
 Exit status: 0 done, 1 the work failed, 2 bad usage or a bad scene, 130 interrupted.)"},
+    {"watch", "watch SCENE [OPTIONS]",
+     "Draw a scene in the terminal, and anew whenever it is saved.",
+     R"(It is drawn in the window's size, and follows it. While the file cannot be drawn it is said why, and the last
+picture stays. Mesh files of the scene are watched, too. q or Ctrl-C ends.
+
+Examples:
+  overstrike watch scene.yaml
+  overstrike watch scene.yaml --no-light --set color=256
+
+Exit status: 1 the terminal failed, 2 bad usage or no such file, 130 ended.)"},
     {"emulate", "emulate line-printer|plotter FILE -o SHEET [OPTIONS]",
      "Draw what a machine would put on paper.",
      R"(Examples:
@@ -95,6 +105,7 @@ const std::string_view kProgramFooter = R"(Examples:
   overstrike render scene.yaml                            in the terminal
   overstrike render scene.yaml -o page.txt                a page for a line printer
   overstrike emulate line-printer page.txt -o page.png    what it prints
+  overstrike watch scene.yaml                             in the terminal, whenever it is saved
   overstrike check scene.yaml                             what is wrong with it
 
 'overstrike SUBCOMMAND --help' says more.)";

@@ -143,6 +143,17 @@ void add_render(CLI::App& app, Words& w) {
   flag(sub, option_help("-v,--verbose"), w.render.verbose);
 }
 
+void add_watch(CLI::App& app, Words& w) {
+  CLI::App* sub = subcommand(app, "watch");
+  add_positional(sub, "SCENE", "scene or mesh file", w.render.scene);
+  text_option(sub, option_help("--size"), w.named[0]);
+  set_option(sub, w.render_sets);
+  add_scene_options(sub, w.changes);
+  text_option(sub, option_help("--method"), w.method);
+  text_option(sub, option_help("--tolerance"), w.tolerance);
+  text_option(sub, option_help("--threads"), w.threads);
+}
+
 void add_emulate(CLI::App& app, Words& w) {
   CLI::App* sub = subcommand(app, "emulate");
   add_positional(sub, "MACHINE", "line-printer or plotter", w.emulate.machine);
@@ -175,7 +186,7 @@ void add_devices(CLI::App& app, Words& w) {
 }
 
 std::vector<std::string_view> subcommand_names() {
-  return {"render", "emulate", "check", "devices"};
+  return {"render", "watch", "emulate", "check", "devices"};
 }
 
 /// Every "--name" that the subcommand has.
@@ -270,7 +281,7 @@ TimingsFormat read_timings(const std::string& text) {
 /// Far more than any machine has; a slip of the finger should not start a million threads.
 constexpr int kMostThreads = 1024;
 
-Command render_command(Words& w) {
+RenderCommand render_command(Words& w) {
   need(w.render.scene, "SCENE");
   for (std::size_t i = 0; i < w.named.size(); ++i) {
     if (!w.named[i].empty()) w.render.settings.emplace_back(kDeviceSettings[i], w.named[i]);
@@ -292,6 +303,12 @@ Command render_command(Words& w) {
   return w.render;
 }
 
+Command watch_command(Words& w) {
+  RenderCommand render = render_command(w);
+  render.device = "terminal";
+  return WatchCommand{std::move(render)};
+}
+
 Command emulate_command(Words& w) {
   need(w.emulate.machine, "MACHINE (line-printer or plotter)");
   need(w.emulate.input, "FILE");
@@ -307,6 +324,7 @@ Command emulate_command(Words& w) {
 
 Command chosen_command(const std::string& name, Words& w) {
   if (name == "render") return render_command(w);
+  if (name == "watch") return watch_command(w);
   if (name == "emulate") return emulate_command(w);
   if (name == "devices") return w.devices;
   need(w.check.scene, "SCENE");
@@ -323,7 +341,8 @@ void refuse_empty_values(std::span<const std::string> words) {
 
 /// The first word is no subcommand and no option.
 void check_subcommand(std::span<const std::string> words) {
-  if (words.empty()) throw UsageError("a subcommand is missing: render, emulate, check or devices");
+  if (words.empty())
+    throw UsageError("a subcommand is missing: render, watch, emulate, check or devices");
   const std::string& word = words.front();
   const auto names = subcommand_names();
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
@@ -343,6 +362,7 @@ Command parse_command_line(std::span<const std::string> words) {
   app.set_help_flag("-h,--help", "this text");
   app.set_version_flag("--version", std::string(kVersionText), "the version");
   add_render(app, w);
+  add_watch(app, w);
   add_emulate(app, w);
   add_check(app, w);
   add_devices(app, w);
@@ -359,7 +379,7 @@ Command parse_command_line(std::span<const std::string> words) {
   const CLI::App& asked = chosen.empty() ? app : *chosen.front();
   check_words(asked);
   if (chosen.empty())
-    throw UsageError("a subcommand is missing: render, emulate, check or devices");
+    throw UsageError("a subcommand is missing: render, watch, emulate, check or devices");
   return chosen_command(asked.get_name(), w);
 }
 

@@ -113,7 +113,7 @@ TEST(Parse, SlipsAreNamedWithWhatWasMeant) {
 }
 
 TEST(Parse, WhatIsMissingIsNamed) {
-  EXPECT_EQ(error_of({}), "a subcommand is missing: render, emulate, check or devices");
+  EXPECT_EQ(error_of({}), "a subcommand is missing: render, watch, emulate, check or devices");
   EXPECT_EQ(error_of({"render"}), "SCENE is missing");
   EXPECT_EQ(error_of({"check"}), "SCENE is missing");
   EXPECT_EQ(error_of({"emulate", "plotter"}), "FILE is missing");

@@ -31,8 +31,12 @@ double reach(const Torus& s, const Vec3& w) {
 
 double reach(const Revolution& s, const Vec3& w) {
   double furthest = -1e300;
-  for (const Vec2& p : s.profile)
-    furthest = std::max(furthest, reach_of_arc(p.x, s.angle_deg, w) + p.y * w.z);
+  const auto add = [&](const std::vector<Vec2>& loop) {
+    for (const Vec2& p : loop)
+      furthest = std::max(furthest, reach_of_arc(p.x, s.angle_deg, w) + p.y * w.z);
+  };
+  add(s.profile);
+  for (const std::vector<Vec2>& loop : s.more_loops) add(loop);
   return furthest;
 }
 

@@ -85,6 +85,27 @@ bool contains(const Loop2& loop, const Vec2& point) {
   return inside;
 }
 
+namespace {
+
+bool touches(const Loop2& loop, const Vec2& point) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+    const bool beside = (a.x < point.x && b.x < point.x) || (a.x > point.x && b.x > point.x) ||
+                        (a.y < point.y && b.y < point.y) || (a.y > point.y && b.y > point.y);
+    if (!beside && turn_of(a, b, point) == 0) return true;
+  }
+  return false;
+}
+
+/// Of loops that meet in single points at most.
+bool within(const Loop2& inner, const Loop2& outer) {
+  for (const Vec2& point : inner)
+    if (!touches(outer, point)) return contains(outer, point);
+  return contains(outer, (inner[0] + inner[1]) / 2.0);
+}
+
+}  // namespace
+
 OrderedRegion in_order(const std::vector<Loop2>& loops) {
   const std::size_t count = loops.size();
   OrderedRegion region;
@@ -92,7 +113,7 @@ OrderedRegion in_order(const std::vector<Loop2>& loops) {
   for (std::size_t i = 0; i < count; ++i) {
     region.loops.push_back(without_repeats(loops[i]));
     for (std::size_t j = 0; j < count; ++j)
-      if (i != j && contains(loops[j], loops[i].front())) around[i].push_back(j);
+      if (i != j && within(loops[i], loops[j])) around[i].push_back(j);
   }
   std::map<std::size_t, std::size_t> piece_of;
   for (std::size_t i = 0; i < count; ++i) {

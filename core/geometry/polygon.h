@@ -41,7 +41,7 @@ struct Piece {
 };
 
 /// Outlines counter-clockwise and holes clockwise, pieces in the order of their outlines. What lies
-/// within an odd number of loops is inside. Precondition: no contacts.
+/// within an odd number of loops is inside. Precondition: no contacts but common vertices of loops.
 struct OrderedRegion {
   std::vector<Loop2> loops;
   std::vector<Piece> pieces;

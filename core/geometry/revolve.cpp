@@ -114,21 +114,29 @@ class Revolver {
   }
 
   void add_ends() {
-    const Index plane = lines_ * static_cast<Index>(facets_ + 1);
-    std::vector<Index> start, end;
-    for (Index i = 0; i < chain_.points.size(); ++i) {
-      start.push_back(vertex(i, 0));
-      end.push_back(vertex(i, facets_));
-    }
-    std::reverse(end.begin(), end.end());
-    add_end(start, {0, -1, 0}, plane);
-    const Vec2 last = directions_.back();
-    add_end(end, {-last.y, last.x, 0}, angle_deg_ == 180 ? plane : plane + 1);
+    std::vector<Index> all(chain_.points.size());
+    for (Index i = 0; i < all.size(); ++i) all[i] = i;
+    if (chain_.ends.empty()) return add_ends({all});
+    for (const std::vector<std::vector<Index>>& end : chain_.ends) add_ends(end);
   }
 
-  void add_end(const std::vector<Index>& corners, const Vec3& normal, Index plane) {
-    if (normals_) out_.corner_normals.insert(out_.corner_normals.end(), corners.size(), normal);
-    out_.add_loop(corners);
+  void add_ends(const std::vector<std::vector<Index>>& loops) {
+    const Index plane = lines_ * static_cast<Index>(facets_ + 1);
+    add_end(loops, 0, {0, -1, 0}, plane);
+    const Vec2 last = directions_.back();
+    add_end(loops, facets_, {-last.y, last.x, 0}, angle_deg_ == 180 ? plane : plane + 1);
+  }
+
+  /// Seen from outside, the last one runs backwards.
+  void add_end(const std::vector<std::vector<Index>>& loops, int k, const Vec3& normal,
+               Index plane) {
+    for (const std::vector<Index>& loop : loops) {
+      std::vector<Index> corners;
+      for (const Index point : loop) corners.push_back(vertex(point, k));
+      if (k != 0) std::reverse(corners.begin(), corners.end());
+      if (normals_) out_.corner_normals.insert(out_.corner_normals.end(), corners.size(), normal);
+      out_.add_loop(corners);
+    }
     end_face(plane);
   }
 

@@ -18,15 +18,18 @@ struct ProfileEdge {
   bool flat = false;
 };
 
-/// Closed, or open with both ends on the axis. Points with x == 0 become single vertices; edges on
-/// the axis are left out.
+/// One or more loops, or open with both ends on the axis. Points with x == 0 become single
+/// vertices; edges on the axis are left out.
 struct ProfileChain {
   std::vector<Vec2> points;
   std::vector<ProfileEdge> edges;
+  /// What closes less than a full turn: faces of loops of points, outlines counter-clockwise and
+  /// first. None: one of all points.
+  std::vector<std::vector<std::vector<Index>>> ends;
 };
 
-/// `facets` over `angle_deg` (0..360]; less than a full turn gets the chain as end faces, which
-/// must be one closed loop then. `normals` asks for corner normals.
+/// `facets` over `angle_deg` (0..360]; less than a full turn gets end faces, and the chain must be
+/// closed then. `normals` asks for corner normals.
 Polyhedron revolve(const ProfileChain& chain, int facets, double angle_deg, bool normals);
 
 }  // namespace overstrike

@@ -58,29 +58,57 @@ Polyhedron faces_of(const Extrusion& extrusion) {
   return p;
 }
 
+namespace {
+
+std::vector<Loop2> loops_of(const Revolution& revolution) {
+  std::vector<Loop2> loops{without_repeats(revolution.profile)};
+  for (const Loop2& loop : revolution.more_loops) loops.push_back(without_repeats(loop));
+  return loops;
+}
+
+/// The solid on the left of every edge.
+ProfileChain chain_of(const OrderedRegion& region) {
+  ProfileChain chain;
+  const std::vector<std::vector<Index>> lines = line_numbers(region.loops);
+  std::vector<std::vector<Index>> numbers;
+  for (std::size_t l = 0; l < region.loops.size(); ++l) {
+    const Loop2& loop = region.loops[l];
+    const Index first = static_cast<Index>(chain.points.size());
+    numbers.emplace_back();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t next = i + 1 == loop.size() ? 0 : i + 1;
+      const Vec2 &from = loop[i], &to = loop[next];
+      const Vec2 normal{to.y - from.y, from.x - to.x};
+      numbers.back().push_back(first + static_cast<Index>(i));
+      chain.points.push_back(from);
+      chain.edges.push_back({numbers.back().back(), first + static_cast<Index>(next), normal,
+                             normal, lines[l][i], from.y == to.y});
+    }
+  }
+  for (const Piece& piece : region.pieces) {
+    chain.ends.push_back({numbers[piece.outline]});
+    for (const std::size_t hole : piece.holes) chain.ends.back().push_back(numbers[hole]);
+  }
+  return chain;
+}
+
+}  // namespace
+
 RoundCounts round_counts(const Revolution& revolution, double chord) {
-  const int points = static_cast<int>(revolution.profile.size());
-  if (revolution.sides > 0) return {revolution.sides, points, true};
+  int points = 0;
   double widest = 0;
-  for (const Vec2& point : revolution.profile) widest = std::max(widest, point.x);
+  for (const Loop2& loop : loops_of(revolution)) {
+    points += static_cast<int>(loop.size());
+    for (const Vec2& point : loop) widest = std::max(widest, point.x);
+  }
+  if (revolution.sides > 0) return {revolution.sides, points, true};
   const int sides = chords_for(widest, chord, revolution.angle_deg);
   return {sides, points, sagitta(widest, sides, revolution.angle_deg) <= chord};
 }
 
 Polyhedron faces_of(const Revolution& revolution, double chord, bool normals) {
-  ProfileChain chain;
-  chain.points = without_repeats(revolution.profile);
-  if (!is_counter_clockwise(chain.points)) std::reverse(chain.points.begin(), chain.points.end());
   const int sides = round_counts(revolution, chord).sides;
-  const std::vector<Index> lines = line_numbers({chain.points}).front();
-  const Index count = static_cast<Index>(chain.points.size());
-  for (Index i = 0; i < count; ++i) {
-    const Index next = (i + 1) % count;
-    const Vec2 &from = chain.points[i], &to = chain.points[next];
-    const Vec2 normal{to.y - from.y, from.x - to.x};
-    chain.edges.push_back({i, next, normal, normal, lines[i], from.y == to.y});
-  }
-  return revolve(chain, sides, revolution.angle_deg, normals);
+  return revolve(chain_of(in_order(loops_of(revolution))), sides, revolution.angle_deg, normals);
 }
 
 }  // namespace overstrike

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/polyhedron_laws.h"
 #include "core/geometry/trig.h"
 
@@ -31,6 +32,7 @@ std::vector<Solid> solids() {
   const std::vector<Vec2> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const std::vector<Vec2> ring_profile{{2, 0}, {3, 0}, {3, 1}, {2, 1}};
   const std::vector<Vec2> vase{{0, 0}, {2, 0}, {1, 1}, {2, 3}, {1.5, 3}, {0.5, 1}, {0, 1}};
+  const std::vector<Vec2> channel{{4.5, -0.5}, {5.5, -0.5}, {5.5, 0.5}, {4.5, 0.5}};
   const double vase_volume =
       kPi / 3 * ((4 + 2 + 1) * 1 + (1 + 2 + 4) * 2) - kPi / 3 * (2.25 + 0.75 + 0.25) * 2;
   return {
@@ -60,6 +62,13 @@ std::vector<Solid> solids() {
       {"sixth of a cake", Revolution{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 60, 0}, 2, kPi * 4 / 6},
       {"vase", Revolution{vase, 360, 0}, 2, vase_volume},
       {"part of a vase", Revolution{vase, 100, 0}, 2, vase_volume * 100 / 360},
+      {"ring with a channel", Revolution{{{4, -1}, {6, -1}, {6, 1}, {4, 1}}, 360, 0, {channel}}, 0,
+       2 * kPi * 5 * 3},
+      {"part of a ring with a channel",
+       Revolution{{{4, -1}, {6, -1}, {6, 1}, {4, 1}}, 90, 0, {channel}}, 0, kPi / 2 * 5 * 3},
+      {"two rings",
+       Revolution{{{4, -1}, {6, -1}, {6, 1}, {4, 1}}, 180, 0, {{{1, 0}, {2, 0}, {2, 1}}}}, 4,
+       kPi * (5 * 4 + 0.5 * 5 / 3)},
       {"beam", Sweep{square, {{0, 0, 0}, {0, 0, 5}}, false}, 2, 20},
       // A mitred corner adds as much outside as it takes inside.
       {"elbow", Sweep{square, {{0, 0, 0}, {8, 0, 0}, {8, 9, 0}}, false}, 2, 4 * 17},
@@ -105,6 +114,26 @@ TEST(Tessellate, SameShapeSameBytes) {
 
 TEST(Tessellate, ValidSolidsHaveNoFault) {
   for (const Solid& s : solids()) EXPECT_EQ(validate(s.shape), "") << s.name;
+}
+
+/// Loops that meet in corners keep vertices of their own there, so that every edge has two faces.
+TEST(Tessellate, RegionsMayMeetInCorners) {
+  const Loop2 low{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, high{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  const Loop2 hole{{0, 0}, {0.25, 0.5}, {0.5, 0.25}};
+  // An island whose corners all lie on the sides of the hole that it lies in.
+  const Loop2 around{{-1, -1}, {3, -1}, {3, 3}, {-1, 3}};
+  const Loop2 well{{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 2}, {2, 1}, {2, 0}, {1, 0}};
+  const Loop2 island{{0, 1}, {1, 0}, {2, 1}, {1, 2}};
+  const std::pair<Region, double> regions[] = {
+      {{{low, high}}, 2}, {{{low, hole}}, 1 - 0.09375}, {{{around, well, island}}, 16 - 4 + 2}};
+  for (const auto& [region, area] : regions) {
+    const Extrusion extrusion{region, 1};
+    EXPECT_EQ(validate(extrusion), "");
+    const Polyhedron p = tessellate(extrusion, kChord, false);
+    EXPECT_EQ(unpaired_edges(p), 0);
+    EXPECT_NEAR(volume(p), area, 1e-13);
+  }
+  EXPECT_NE(validate(Extrusion{{{low, {{0.5, 0}, {0.7, 0.2}, {0.3, 0.2}}}}, 1}), "");
 }
 
 /// NN74's figure a: a box, an 18 x 5 sphere and a 20-sided cylinder, 122 vertices and 118 faces.

@@ -5,6 +5,7 @@
 
 #include "core/geometry/circle.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/region_sets.h"
 #include "core/geometry/shape_faces.h"
 #include "core/geometry/sweep_sections.h"
 #include "core/geometry/tessellate.h"
@@ -150,7 +151,7 @@ string loops_fault(const string& name, const std::vector<Loop2>& loops) {
              std::to_string(clean.back().size());
   }
   const std::optional<Contact> contact = find_contact(clean);
-  if (!contact) return {};
+  if (!contact || (clean.size() > 1 && is_tidy({clean}))) return {};
   const string near = " near " + text(contact->near);
   if (contact->first == contact->second)
     return (name.empty() ? loop_name(contact->first) : name) + " crosses or touches itself" + near;
@@ -163,15 +164,34 @@ string fault_of(const Extrusion& s) {
   return first(positive_fault("height", s.height), loops_fault("", s.region.loops));
 }
 
+/// All of the profile.
+std::vector<Loop2> loops_of(const Revolution& s) {
+  std::vector<Loop2> loops{s.profile};
+  loops.insert(loops.end(), s.more_loops.begin(), s.more_loops.end());
+  return loops;
+}
+
+string radii_fault(const string& name, const Loop2& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    string fault = negative_fault(name + " point " + std::to_string(i + 1) + " radius", loop[i].x);
+    if (!fault.empty()) return fault;
+  }
+  return {};
+}
+
 string fault_of(const Revolution& s) {
-  string fault = loops_fault("profile", {s.profile});
-  for (std::size_t i = 0; i < s.profile.size() && fault.empty(); ++i)
-    fault = negative_fault("profile point " + std::to_string(i + 1) + " radius", s.profile[i].x);
+  const std::vector<Loop2> loops = loops_of(s);
+  string fault = loops_fault(loops.size() == 1 ? "profile" : "", loops);
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < loops.size() && fault.empty(); ++i) {
+    fault = radii_fault(loops.size() == 1 ? "profile" : loop_name(i), loops[i]);
+    points += loops[i].size();
+  }
   if (!fault.empty()) return fault;
   if (!(0 < s.angle_deg && s.angle_deg <= 360))
     return "angle must be above 0 and at most 360 degrees, found " + text(s.angle_deg);
   const int fewest = s.angle_deg == 360 ? kFewestSides : s.angle_deg < 180 ? 1 : 2;
-  if (static_cast<double>(s.profile.size()) * s.sides > kMostVertices)
+  if (static_cast<double>(points) * s.sides > kMostVertices)
     return "the revolution would have more than " + text(kMostVertices) + " vertices";
   return count_fault("sides", s.sides, fewest, kMostSides);
 }

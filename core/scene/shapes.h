@@ -57,7 +57,8 @@ struct Torus {
   double minor = 1;
 };
 
-/// A plane region: the outline and holes, any orientation; not self-intersecting.
+/// A plane region: outlines and holes, any orientation; simple, and with nothing in common but
+/// vertices. (What set operations take may be otherwise: core/geometry/region_sets.h.)
 struct Region {
   std::vector<std::vector<Vec2>> loops;
 };
@@ -74,6 +75,7 @@ struct Revolution {
   std::vector<Vec2> profile;
   double angle_deg = 360;
   int sides = 0;
+  std::vector<std::vector<Vec2>> more_loops = {};  ///< of the profile: holes, further outlines
 };
 
 /// The profile, in the plane across the path with x to the right and y up, moved along the path;

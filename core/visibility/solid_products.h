@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "core/visibility/solid_expression.h"
+#include "core/scene/solid_expression.h"
 #include "core/visibility/world_box.h"
 
 namespace overstrike {

@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "core/scene/solid_expression.h"
 #include "core/visibility/layer_order.h"
-#include "core/visibility/solid_expression.h"
 #include "core/visibility/solid_options.h"
 #include "core/visibility/span_split.h"
 

@@ -20,7 +20,7 @@ class Help(CommandTest):
         self.assert_golden("help.txt", "--help")
 
     def test_help_of_every_subcommand(self):
-        for name in ("render", "emulate", "check", "devices"):
+        for name in ("render", "watch", "emulate", "check", "devices"):
             self.assert_golden(f"help-{name}.txt", name, "--help")
 
     def test_short_help_is_the_same(self):

@@ -44,11 +44,17 @@ constexpr S kTetrahedron[] = {"vertices"};
 constexpr S kSphere[] = {"radius", "sides", "rings"};
 constexpr S kEllipsoid[] = {"radii", "sides", "rings"};
 constexpr S kTorus[] = {"major", "minor"};
-constexpr S kExtrusion[] = {"outline", "holes", "height"};
-constexpr S kRevolution[] = {"profile", "angle", "sides"};
-constexpr S kSweep[] = {"profile", "path", "closed"};
+constexpr S kExtrusion[] = {"outline", "holes", "region", "height"};
+constexpr S kRevolution[] = {"profile", "region", "angle", "sides"};
+constexpr S kSweep[] = {"profile", "region", "path", "closed"};
 constexpr S kPolyhedron[] = {"vertices", "faces"};
-constexpr S kPolygon[] = {"outline", "holes"};
+constexpr S kPolygon[] = {"outline", "holes", "region"};
+// what it is first, then where it lies
+constexpr S kRegion[] = {"outline",      "rectangle", "circle", "union", "difference",
+                         "intersection", "scale",     "rotate", "at"};
+constexpr std::size_t kRegionContents = 6;
+static_assert(kRegion[kRegionContents - 1] == "intersection");
+constexpr S kCircle[] = {"radius", "sides"};
 constexpr S kMesh[] = {"file"};
 
 // What other programs call it, and ours.
@@ -68,6 +74,7 @@ constexpr std::pair<S, S> kOtherWords[] = {{"<<", "use"},
                                            {"n", "sides"},
                                            {"objects", "bodies"},
                                            {"points", "outline"},
+                                           {"polygon", "outline"},
                                            {"polyline", "points"},
                                            {"pos", "at"},
                                            {"position", "at"},
@@ -79,6 +86,7 @@ constexpr std::pair<S, S> kOtherWords[] = {{"<<", "use"},
                                            {"unite", "union"},
                                            {"ring", "torus"},
                                            {"shapes", "bodies"},
+                                           {"square", "rectangle"},
                                            {"to", "target"},
                                            {"translate", "at"},
                                            {"tube", "minor"},
@@ -118,6 +126,8 @@ const MapKind kSweepMap{"sweep", kSweep};
 const MapKind kPolyhedronMap{"polyhedron", kPolyhedron};
 const MapKind kPolygonMap{"polygon", kPolygon, "outline"};
 const MapKind kMeshMap{"mesh", kMesh, "file"};
+const MapKind kRegionMap{"region", kRegion, "outline"};
+const MapKind kCircleMap{"circle", kCircle, "radius"};
 
 std::span<const MapKind* const> all_maps() {
   static constexpr std::array kAll{
@@ -126,7 +136,8 @@ std::span<const MapKind* const> all_maps() {
       &kLinearMap,      &kPolarMap,   &kFaceMap,       &kBoxMap,       &kPrismMap,
       &kCylinderMap,    &kPyramidMap, &kConeMap,       &kFrustumMap,   &kWedgeMap,
       &kTetrahedronMap, &kSphereMap,  &kEllipsoidMap,  &kTorusMap,     &kExtrusionMap,
-      &kRevolutionMap,  &kSweepMap,   &kPolyhedronMap, &kPolygonMap,   &kMeshMap};
+      &kRevolutionMap,  &kSweepMap,   &kPolyhedronMap, &kPolygonMap,   &kMeshMap,
+      &kRegionMap,      &kCircleMap};
   return kAll;
 }
 
@@ -138,6 +149,8 @@ std::string suggestion(std::string_view word, Keys known) {
       return "did you mean " + in_quotes(ours) + "?";
   return {};
 }
+
+Keys region_content_keys() { return Keys(kRegion).first(kRegionContents); }
 
 Keys content_keys() { return Keys(kBody).first(kContents); }
 

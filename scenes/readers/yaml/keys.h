@@ -20,7 +20,7 @@ extern const MapKind kSceneMap, kLightMap, kCameraMap, kDensityMap, kBodyMap, kP
     kSegmentMap, kRotateMap, kTransformMap, kArrayMap, kLinearMap, kPolarMap, kFaceMap;
 extern const MapKind kBoxMap, kPrismMap, kCylinderMap, kPyramidMap, kConeMap, kFrustumMap,
     kWedgeMap, kTetrahedronMap, kSphereMap, kEllipsoidMap, kTorusMap, kExtrusionMap, kRevolutionMap,
-    kSweepMap, kPolyhedronMap, kPolygonMap, kMeshMap;
+    kSweepMap, kPolyhedronMap, kPolygonMap, kMeshMap, kRegionMap, kCircleMap;
 
 /// All of the above.
 std::span<const MapKind* const> all_maps();
@@ -28,6 +28,9 @@ std::span<const MapKind* const> all_maps();
 /// The keys of a body that say what it is: the shapes, the set operations, `group` and
 /// `use`.
 Keys content_keys();
+
+/// The same of a plane region.
+Keys region_content_keys();
 
 /// "did you mean 'radius'?" for an unknown key: by spelling, or a word of other programs for the
 /// same thing; or empty.

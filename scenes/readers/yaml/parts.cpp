@@ -48,8 +48,17 @@ void read_content(Part& part, const Fields& f, std::string_view key, MeshFiles& 
   } else if (key == "use") {
     part.content = Use{word(f.reporter(), value, "use"), value.mark};
   } else {
-    ShapePtr shape = read_shape(f.reporter(), key, value, meshes);
-    part.content = std::move(shape);
+    std::vector<ShapePtr> shapes = read_shapes(f.reporter(), key, value, meshes);
+    if (shapes.size() == 1) {
+      part.content = std::move(shapes.front());
+      return;
+    }
+    std::vector<Part> pieces(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      pieces[i].content = std::move(shapes[i]);
+      pieces[i].mark = part.mark;
+    }
+    part.content = std::move(pieces);
   }
 }
 
@@ -107,6 +116,9 @@ Part read_part(Reporter& reporter, const Node& node, MeshFiles& meshes) {
     read_content(part, f, key, meshes);
     read_patterns(part, f, key);
     read_translucent(part, f, key);
+    // Of a sheet in several pieces the first one has them.
+    if (auto* pieces = std::get_if<std::vector<Part>>(&part.content); pieces && is_shape(key))
+      pieces->front().patterns = std::move(part.patterns);
   }
   read_looks(part, f);
   part.placement = read_placement(f);

@@ -133,6 +133,57 @@ TEST(YamlScene, SweptShapes) {
   EXPECT_TRUE(pipe.closed_path);
 }
 
+TEST(YamlScene, RegionsAreResolved) {
+  using Loops = std::vector<std::vector<Vec2>>;
+  const auto plate = shape<Extrusion>(
+      "extrusion: {height: 2, region: {difference: [{rectangle: [4, 2]}, {rectangle: 1}]}}");
+  EXPECT_EQ(plate.region.loops, (Loops{{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}},
+                                       {{-.5, -.5}, {-.5, .5}, {.5, .5}, {.5, -.5}}}));
+  const auto moved = shape<Extrusion>(
+      "extrusion: {height: 1, region: {union: [[[0,0], [1,0], [0,1]], {rectangle: 2, scale: [2, "
+      "1], "
+      "rotate: 90, at: [5, 0]}], at: [0, 1]}}");
+  EXPECT_EQ(moved.region.loops,
+            (Loops{{{0, 1}, {1, 1}, {0, 2}}, {{4, -1}, {6, -1}, {6, 3}, {4, 3}}}));
+  const auto hexagon =
+      shape<Extrusion>("extrusion: {height: 1, region: {circle: {radius: 2, sides: 6}}}");
+  EXPECT_EQ(hexagon.region.loops.at(0).size(), 6u);
+  EXPECT_EQ(hexagon.region.loops.at(0)[0], Vec2(-2, 0));
+  const auto round = shape<Extrusion>("extrusion: {height: 1, region: {circle: 2}}");
+  EXPECT_EQ(round.region.loops.at(0).size(), 64u);
+}
+
+TEST(YamlScene, RegionsAreTurnedSweptAndDrawnFlat) {
+  const auto ring = shape<Revolution>(
+      "revolution: {region: {difference: [{rectangle: 2, at: [3, 0]}, {rectangle: 1, at: [3, "
+      "0]}]}}");
+  EXPECT_EQ(ring.profile.size(), 4u);
+  EXPECT_EQ(ring.more_loops.size(), 1u);
+  const auto beam = shape<Sweep>("sweep: {region: {rectangle: 1}, path: [[0,0,0], [4,0,0]]}");
+  EXPECT_EQ(beam.profile.size(), 4u);
+  const auto sheet =
+      shape<FlatPolygon>("polygon: {region: {difference: [{rectangle: 2}, {rectangle: 1}]}}");
+  ASSERT_EQ(sheet.loops.size(), 2u);
+  EXPECT_EQ(sheet.loops[0][0], Vec3(-1, -1, 0));
+}
+
+/// One body each; what is drawn on them is drawn once.
+TEST(YamlScene, FlatRegionsInPiecesAreSeveralSheets) {
+  const Scene s = scene(
+      "bodies:\n  - {polygon: {region: {difference: [{rectangle: 2}, {rectangle: [1, 3]}]}}, at: "
+      "[0, 0, 5], "
+      "pen: 3, patterns: [{points: [[0,0,0], [1,0,0]]}]}\n");
+  ASSERT_EQ(s.bodies.size(), 2u);
+  std::size_t patterns = 0;
+  for (const Body& b : s.bodies) {
+    EXPECT_EQ(std::get<FlatPolygon>(*b.shape).loops.size(), 1u);
+    EXPECT_EQ(b.placement.offset, Vec3(0, 0, 5));
+    EXPECT_EQ(b.pen, 3);
+    patterns += b.patterns.size();
+  }
+  EXPECT_EQ(patterns, 1u);
+}
+
 TEST(YamlScene, Faces) {
   const auto solid = shape<Mesh>(
       "polyhedron: {vertices: [[0,0,0], [4,0,0], [0,4,0], [1,1,0], [2,1,0], [1,2,0], [0,0,4]], "

@@ -7,9 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/tessellate.h"
 #include "scenes/readers/mesh.h"
 #include "scenes/readers/yaml/fields.h"
+#include "scenes/readers/yaml/regions.h"
 
 namespace overstrike::yaml {
 namespace {
@@ -109,17 +111,51 @@ Shape torus(const Fields& f) {
   return shape;
 }
 
+/// The value of `region`, or null when the shape is said by its other keys.
+const Node* region_node(const Fields& f, Keys others) {
+  const Node* region = f.find("region");
+  for (const std::string_view key : others)
+    if (region && f.has(key))
+      f.reporter().error(f.mark(key), in_quotes(key) + " and 'region' exclude each other");
+  return region;
+}
+
+constexpr std::string_view kOutlineKeys[] = {"outline", "holes"}, kProfileKeys[] = {"profile"};
+
 Shape extrusion(const Fields& f) {
-  Extrusion shape{{{needed_points2(f, "outline")}}, f.number("height", kPositive)};
+  const double height = f.number("height", kPositive);
+  if (const Node* region = region_node(f, kOutlineKeys))
+    return Extrusion{read_region(f.reporter(), *region), height};
+  Extrusion shape{{{needed_points2(f, "outline")}}, height};
   if (const Node* holes = f.find("holes"))
     for (const Node* hole : list(f.reporter(), *holes, "holes", "outlines [[x, y], ...]"))
       shape.region.loops.push_back(points2(f.reporter(), *hole, "a hole", 3));
   return shape;
 }
 
+/// Every loop of the region is one of the profile.
+void read_profile(Revolution& shape, Reporter& reporter, const Node& node) {
+  Region region = read_region(reporter, node);
+  for (std::vector<Vec2>& loop : region.loops) {
+    for (const Vec2& point : loop)
+      if (point.x < 0) {
+        reporter.error(node.mark, fmt::format("a region that is turned must not reach beyond the "
+                                              "axis, found radius {}",
+                                              point.x));
+        return;
+      }
+    std::vector<Vec2>& to = shape.profile.empty() ? shape.profile : shape.more_loops.emplace_back();
+    to = std::move(loop);
+  }
+}
+
 Shape revolution(const Fields& f) {
-  Revolution shape{needed_points2(f, "profile"), f.number_or("angle", 360, {1e-3, 360, false, {}}),
-                   optional_sides(f)};
+  Revolution shape{{}, f.number_or("angle", 360, {1e-3, 360, false, {}}), optional_sides(f)};
+  if (const Node* region = region_node(f, kProfileKeys)) {
+    read_profile(shape, f.reporter(), *region);
+    return shape;
+  }
+  shape.profile = needed_points2(f, "profile");
   const Node* profile = f.find("profile");
   for (std::size_t i = 0; i < shape.profile.size(); ++i)
     if (shape.profile[i].x < 0)
@@ -130,7 +166,19 @@ Shape revolution(const Fields& f) {
 }
 
 Shape sweep(const Fields& f) {
-  Sweep shape{needed_points2(f, "profile"), {}, f.boolean_or("closed", false)};
+  Sweep shape{{}, {}, f.boolean_or("closed", false)};
+  if (const Node* region = region_node(f, kProfileKeys)) {
+    Region found = read_region(f.reporter(), *region);
+    if (found.loops.size() > 1)
+      f.reporter().error(region->mark,
+                         fmt::format("a region that is swept must be one outline without holes, "
+                                     "found {} outlines and holes",
+                                     found.loops.size()));
+    else if (!found.loops.empty())
+      shape.profile = std::move(found.loops.front());
+  } else {
+    shape.profile = needed_points2(f, "profile");
+  }
   if (const Node* path = f.need("path"))
     shape.path = points3(f.reporter(), *path, "path", shape.closed_path ? 3 : 2);
   return shape;
@@ -243,6 +291,7 @@ void check_laws(const Fields& f, const Shape& shape) {
   for (const std::string_view key : f.kind().keys)
     if (const std::size_t at = complaint.find(key); at < first && f.has(key))
       first = at, named = key;
+  if (named.empty() && f.has("region")) return f.reporter().error(f.mark("region"), complaint);
   const Node* loop = complained_loop(f, complaint);
   f.reporter().error(named.empty() && loop ? loop->mark : f.mark(named), in_scene_words(complaint));
 }
@@ -303,6 +352,30 @@ ShapePtr read_shape(Reporter& reporter, std::string_view key, const Node& value,
     return reporter.errors() == errors_before ? shape : nullptr;
   }
   return nullptr;
+}
+
+std::vector<ShapePtr> read_shapes(Reporter& reporter, std::string_view key, const Node& value,
+                                  MeshFiles& meshes) {
+  if (key != kPolygonMap.name || value.kind != NodeKind::map)
+    return {read_shape(reporter, key, value, meshes)};
+  const std::size_t errors_before = reporter.errors();
+  const Fields f(reporter, value, kPolygonMap);
+  const Node* node = region_node(f, kOutlineKeys);
+  if (!node) return {read_shape(reporter, key, value, meshes)};
+  const OrderedRegion region = in_order(read_region(reporter, *node).loops);
+  if (reporter.errors() > errors_before) return {nullptr};
+  std::vector<ShapePtr> shapes;
+  for (const Piece& piece : region.pieces) {
+    FlatPolygon sheet;
+    const auto add = [&](std::size_t loop) {
+      sheet.loops.emplace_back();
+      for (const Vec2& p : region.loops[loop]) sheet.loops.back().push_back({p, 0});
+    };
+    add(piece.outline);
+    for (const std::size_t hole : piece.holes) add(hole);
+    shapes.push_back(std::make_shared<const Shape>(std::move(sheet)));
+  }
+  return shapes;
 }
 
 }  // namespace overstrike::yaml

@@ -32,4 +32,7 @@ bool is_shape(std::string_view key);
 /// The shape that `key: value` says. Null after an error.
 ShapePtr read_shape(Reporter&, std::string_view key, const Node& value, MeshFiles&);
 
+/// The same; a flat region in several pieces is several polygons. One null after an error.
+std::vector<ShapePtr> read_shapes(Reporter&, std::string_view key, const Node& value, MeshFiles&);
+
 }  // namespace overstrike::yaml
