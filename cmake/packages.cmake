@@ -5,6 +5,7 @@ find_package(TBB REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(assimp REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Qhull REQUIRED)
 find_package(PkgConfig REQUIRED)
 # OpenImageIO's own config asks for packages that Debian does not pull in; pkg-config needs neither.
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -12,6 +12,7 @@
 #include "core/float_environment.h"
 #include "scenes/readers/mesh.h"
 #include "scenes/readers/nearest.h"
+#include "scenes/readers/openscad/scene.h"
 #include "scenes/readers/source_text.h"
 #include "scenes/readers/yaml/scene.h"
 
@@ -108,6 +109,8 @@ ReadResult read_scene(const std::filesystem::path& path) {
   std::string format = lower_case(path.extension().string());
   if (!format.empty()) format.erase(0, 1);
   if (is_yaml(format)) return yaml::read_scene(read_text(path), path.string(), path.parent_path());
+  if (format == "csg")
+    return openscad::read_scene(read_text(path), path.string(), path.parent_path());
   if (!is_mesh_format(format)) unknown_format(path.string(), format);
   ReadResult result;
   result.scene = mesh_scene(read_mesh(path, result.warnings), path.string());
@@ -121,6 +124,10 @@ ReadResult read_scene_text(std::string_view text, std::string_view format, const
     if (text.size() > kLargestSceneFile) fail_for_size(name);
     return yaml::read_scene(text, name, folder);
   }
+  if (format == "csg") {
+    if (text.size() > kLargestSceneFile) fail_for_size(name);
+    return openscad::read_scene(text, name, folder);
+  }
   if (!is_mesh_format(format)) unknown_format(name, std::string(format));
   ReadResult result;
   result.scene = mesh_scene(read_mesh_text(text, format, name, result.warnings), name);
@@ -128,7 +135,7 @@ ReadResult read_scene_text(std::string_view text, std::string_view format, const
 }
 
 std::vector<std::string_view> scene_formats() {
-  std::vector<std::string_view> formats{"yaml", "yml"};
+  std::vector<std::string_view> formats{"yaml", "yml", "csg"};
   for (const std::string_view mesh :
        {"stl", "obj", "off", "ply", "3mf", "glb", "gltf", "dae", "fbx", "3ds", "x3d"})
     if (is_mesh_format(mesh)) formats.push_back(mesh);
