@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/scene/set_operation.h"
 #include "core/scene/shapes.h"
 
 namespace overstrike {
@@ -34,17 +35,6 @@ struct Body {
   int pen = 0;
   std::vector<Pattern> patterns;
   Place place;  ///< where the scene names it
-};
-
-enum class SetOperation : std::uint8_t { operand, unite, subtract, intersect };
-
-/// A node of a Boolean solid's tree. Nodes stand in preorder: a node's first operand follows it,
-/// and each further one begins where the one before it ends. `subtract` takes all others from the
-/// first.
-struct SolidNode {
-  SetOperation operation = SetOperation::operand;
-  std::uint32_t body = 0;  ///< of an operand: in Scene::bodies
-  std::uint32_t end = 0;   ///< where the nodes below it end; of an operand, the next node
 };
 
 /// A solid that is drawn without ever computing its boundary. Its operands are bodies that do not

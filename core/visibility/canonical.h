@@ -12,7 +12,7 @@
 #include "core/geometry/polyhedron.h"
 #include "core/geometry/winged_edges.h"
 #include "core/scene/scene.h"
-#include "core/visibility/solid_expression.h"
+#include "core/scene/solid_expression.h"
 
 namespace overstrike {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/visibility/face_order.h"
-#include "core/visibility/solid_expression.h"
+#include "core/scene/solid_expression.h"
 #include "core/visibility/span_split.h"
 
 namespace overstrike {

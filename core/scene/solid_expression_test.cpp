@@ -1,4 +1,4 @@
-#include "core/visibility/solid_expression.h"
+#include "core/scene/solid_expression.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-// A Boolean solid's expression, evaluated along depth without expanding it (sums of products are
-// exponential in the depth of the tree).
+// A Boolean expression, evaluated along a way through its operands (depth, for solids) without
+// expanding it (sums of products are exponential in the depth of the tree).
 //
 // Differences become intersections with complements, and complements are pushed down to the
 // operands (De Morgan); unions of unions and intersections of intersections become one. What is
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/geometry/polyhedron.h"
-#include "core/scene/scene.h"
+#include "core/scene/set_operation.h"
 
 namespace overstrike {
 
