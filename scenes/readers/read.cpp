@@ -137,7 +137,7 @@ ReadResult read_scene_text(std::string_view text, std::string_view format, const
 std::vector<std::string_view> scene_formats() {
   std::vector<std::string_view> formats{"yaml", "yml", "csg"};
   for (const std::string_view mesh :
-       {"stl", "obj", "off", "ply", "3mf", "glb", "gltf", "dae", "fbx", "3ds", "x3d"})
+       {"stl", "obj", "off", "ply", "3mf", "glb", "gltf", "dae", "fbx", "3ds", "x3d", "amf"})
     if (is_mesh_format(mesh)) formats.push_back(mesh);
   return formats;
 }

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/region_sets.h"
+#include "scenes/readers/mesh.h"
+#include "scenes/readers/mesh_file.h"
+#include "scenes/readers/openscad/dxf.h"
 #include "scenes/readers/openscad/extrude.h"
 #include "scenes/readers/openscad/hull.h"
 #include "scenes/readers/openscad/primitives.h"
 #include "scenes/readers/openscad/regions.h"
+#include "scenes/readers/openscad/surface.h"
+#include "scenes/readers/openscad/text.h"
 
 namespace overstrike::openscad {
 namespace {
@@ -15,6 +21,9 @@ namespace {
 struct Box3 {
   Vec3 low{1e300}, high{-1e300};
 };
+
+/// Larger drawings are refused as they are read.
+void check_drawing(std::string_view, std::uint64_t, const std::string&) {}
 
 void append_placed(const std::vector<Part>& parts, const Placement& place, std::vector<Part>& all) {
   for (const Part& part : parts)
@@ -87,27 +96,79 @@ std::vector<Part> ShapeBuilder::solid_leaf(Index i, const Arguments& arguments) 
     case WordKind::polyhedron:
       return polyhedron(arguments);
     default:
-      return {};
+      break;
+  }
+  const std::filesystem::path path = folder_ / arguments.text("file", "");
+  std::vector<Part> parts;
+  try {
+    if (state(i).word->kind == WordKind::surface) return surface(arguments, path);
+    parts = {imported_mesh(path)};
+  } catch (const InputError& error) {
+    reporter_.append(error.diagnostics());
+  }
+  return parts;
+}
+
+Part ShapeBuilder::imported_mesh(const std::filesystem::path& path) {
+  const auto [known, is_new] = meshes_.try_emplace(path.string());
+  if (is_new) {
+    std::vector<Diagnostic> warnings;
+    known->second = std::make_shared<const Shape>(read_mesh(path, warnings));
+    reporter_.append(warnings);
+  }
+  if (known->second == nullptr) throw InputError(Place{path.string(), 0, 0}, "cannot be read");
+  return {known->second, {}, 0};
+}
+
+Region ShapeBuilder::imported_region(const Arguments& arguments) {
+  const std::filesystem::path path = folder_ / arguments.text("file", "");
+  if (path.extension() != ".dxf" && path.extension() != ".DXF") {
+    arguments.error("'import' of " + path.extension().string() + " cannot be drawn",
+                    "flat drawings are read as DXF");
+    return {};
+  }
+  const Vec3 origin = arguments.sizes("origin", 2, 0);
+  try {
+    const std::string text = read_mesh_file(path, check_drawing);
+    return read_dxf(text, path.string(),
+                    {arguments.text("layer", ""), Vec2(origin), arguments.number("scale", 1)},
+                    arguments);
+  } catch (const InputError& error) {
+    reporter_.append(error.diagnostics());
+    return {};
   }
 }
 
+/// Outlines may cross and lie on one another; what core has no use for is sorted out here, once.
 Flat ShapeBuilder::flat_leaf(Index i, const Arguments& arguments) {
-  Flat flat;
+  std::vector<Region> regions(1);
+  double precision = 0;
+  const auto take = [&](Flat flat) {
+    regions[0] = std::move(flat.region);
+    precision = flat.precision;
+  };
   switch (state(i).word->kind) {
     case WordKind::square:
-      flat = square(arguments);
+      take(square(arguments));
       break;
     case WordKind::circle:
-      flat = circle(arguments);
+      take(circle(arguments));
       break;
     case WordKind::polygon:
-      flat = polygon(arguments);
+      take(polygon(arguments));
+      break;
+    case WordKind::text:
+      regions = text_outlines(arguments);
+      break;
+    case WordKind::import:
+      regions[0] = imported_region(arguments);
       break;
     default:
       break;
   }
-  flat.region = placed(flat.region, state(i).place.affine);
-  return flat;
+  const Affine& place = state(i).place.affine;
+  for (Region& region : regions) region = placed(region, place);
+  return {combine(SetOperation::unite, regions), precision};
 }
 
 std::vector<Index> ShapeBuilder::drawn_children(Index i) const {
@@ -160,10 +221,7 @@ Flat ShapeBuilder::combined(Index i, SetOperation operation) {
   }
   if (operands.empty()) return {};
   if (operands.size() == 1) return {std::move(operands[0]), precision};
-  reporter_.error(tree_.nodes[i].at, operation == SetOperation::unite
-                                         ? "a union of flat shapes cannot be drawn yet"
-                                         : "flat shapes cannot be cut yet");
-  return {};
+  return {combine(operation, operands), precision};
 }
 
 /// Of the solids between two nodes below node i: those of leaves, in the frame of node i.

@@ -1,6 +1,7 @@
 #pragma once
 // The shapes of all nodes, found from the leaves upwards.
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -38,6 +39,8 @@ class ShapeBuilder {
   void build_structure(Index i);
   std::vector<Part> solid_leaf(Index i, const Arguments& arguments);
   Flat flat_leaf(Index i, const Arguments& arguments);
+  Part imported_mesh(const std::filesystem::path& path);
+  Region imported_region(const Arguments& arguments);
   void hull_of(Index i);
   void minkowski_of(Index i);
   void flat_minkowski_of(Index i);
@@ -54,6 +57,7 @@ class ShapeBuilder {
   const std::filesystem::path& folder_;
   Reporter& reporter_;
   ShapePool pool_;
+  std::map<std::string, ShapePtr> meshes_;  ///< by the file's name; null where it cannot be read
   std::vector<NodeShape> shapes_;
 };
 
