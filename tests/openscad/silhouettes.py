@@ -1,4 +1,6 @@
 """Two pictures of one solid: where do their silhouettes differ?"""
+import re
+
 import png
 
 
@@ -10,14 +12,21 @@ def of_openscad(path):
             for row in rows]
 
 
+# OpenSCAD shows what lies at a pixel's middle, we draw areas: the middle one of so many cells each way stands for it.
+FINER = 3
+
 # A cell that a body of density 1 covers by half has the linear reflectance 0.5: 188 in sRGB.
 _HALF_COVERED = 188
 
 
 def of_ours(path):
-    """Rows of booleans: cells that are covered by half or more, drawn with --density 0,1."""
-    width, _, channels, rows = png.read(path)
-    return [[row[x * channels] <= _HALF_COVERED for x in range(width)] for row in rows]
+    """Rows of booleans from a PGM, FINER times as large and drawn with --density 0,1."""
+    with open(path, "rb") as file:
+        kind, width, height, most, pixels = re.match(rb"(P5)\s+(\d+)\s+(\d+)\s+(\d+)\s(.*)", file.read(), re.DOTALL).groups()
+    assert kind == b"P5" and most == b"255", path
+    width, height, middle = int(width), int(height), FINER // 2
+    return [[v <= _HALF_COVERED for v in pixels[y * width + middle:(y + 1) * width:FINER]]
+            for y in range(middle, height, FINER)]
 
 
 def near_edge(mask, x, y):

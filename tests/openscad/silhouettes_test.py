@@ -40,6 +40,16 @@ class Silhouettes(unittest.TestCase):
         ours[20][20] = False
         self.assertEqual(silhouettes.difference(disc(10), ours)[1:], (1, 1))
 
+    def test_the_middle_of_our_cells_counts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.pgm")
+            cells = bytearray(b"\xff" * 36)
+            cells[1 * 6 + 4] = 188  # the middle of the second pixel of the first row
+            cells[5 * 6 + 5] = 0    # a corner of the last
+            with open(path, "wb") as file:
+                file.write(b"P5\n6 6\n255\n" + cells)
+            self.assertEqual(silhouettes.of_ours(path), [[False, True], [False, False]])
+
     def test_png_filters_are_undone(self):
         rows = [bytes((7 * x * y + 3 * x + y) % 256 for x in range(12)) for y in range(5)]
         above, packed = bytes(12), b""

@@ -117,12 +117,12 @@ class SliceBuilder {
   }
 
   /// Between corners a and b and those above; flat when nothing turns them against each other. Else
-  /// it is split along the diagonal that leans with the twist, in holes along the other.
+  /// it is split along the diagonal that leans against the twist, in holes along the other.
   void add_wall(Index a, Index b, bool hole) {
     const Index c = b + corners_, d = a + corners_;
     if (extrude_.twist == 0 && extrude_.scale.x == extrude_.scale.y)
       return p_.add_face({a, b, c, d});
-    if ((extrude_.twist < 0) != hole) {
+    if ((extrude_.twist > 0) != hole) {
       p_.add_face({a, b, c});
       p_.add_face({a, c, d});
     } else {
