@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/readers/openscad/regions.h"
+#include "scenes/readers/openscad/solid_tree.h"
 
 namespace overstrike::openscad {
 namespace {
@@ -97,57 +98,9 @@ class BodyAdder {
   void add_solid(Index root) {
     Solid solid;
     solid.place = reporter_.place(tree_.nodes[root].at);
-    struct Open {
-      Index end;   ///< in the file's tree
-      Index node;  ///< in the solid's
-    };
-    std::vector<Open> open;
-    for (Index i = root; i < tree_.nodes[root].end;) {
-      close(solid, open, [&](const Open& o) { return o.end <= i; });
-      const bool structure = is_filled(i) && nodes_.states[i].word->role == WordRole::structure;
-      if (structure) {
-        // A node with one operand is that operand.
-        if (shapes_[i].filled_children > 1) {
-          open.push_back({tree_.nodes[i].end, static_cast<Index>(solid.nodes.size())});
-          solid.nodes.push_back({operation_of(i), 0, 0});
-        }
-        ++i;
-        continue;
-      }
-      if (is_filled(i)) add_operands(i, solid);
-      i = tree_.nodes[i].end;
-    }
-    close(solid, open, [](const Open&) { return true; });
+    solid.nodes = solid_tree(tree_, nodes_, shapes_, root,
+                             [this](Index i, const Part& part) { return add_part(i, part); });
     scene_.solids.push_back(std::move(solid));
-  }
-
-  template <class Opens, class Done>
-  static void close(Solid& solid, Opens& open, const Done& done) {
-    while (!open.empty() && done(open.back())) {
-      solid.nodes[open.back().node].end = static_cast<Index>(solid.nodes.size());
-      open.pop_back();
-    }
-  }
-
-  SetOperation operation_of(Index i) const {
-    const WordKind kind = nodes_.states[i].word->kind;
-    return kind == WordKind::subtract    ? SetOperation::subtract
-           : kind == WordKind::intersect ? SetOperation::intersect
-                                         : SetOperation::unite;
-  }
-
-  void add_operands(Index i, Solid& solid) {
-    const std::vector<Part>& parts = shapes_[i].parts;
-    const Index first = static_cast<Index>(solid.nodes.size());
-    if (parts.size() > 1) {
-      const Index end = first + 1 + static_cast<Index>(parts.size());
-      solid.nodes.push_back({SetOperation::unite, 0, end});
-    }
-    for (const Part& part : parts) {
-      const Index body = add_part(i, part);
-      solid.nodes.push_back(
-          {SetOperation::operand, body, static_cast<Index>(solid.nodes.size() + 1)});
-    }
   }
 
   const Tree& tree_;

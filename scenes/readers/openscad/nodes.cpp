@@ -127,8 +127,8 @@ class Resolver {
 
   static int inner_dimension(const NodeState& parent) {
     const WordKind kind = parent.word->kind;
-    return kind == WordKind::linear_extrude || kind == WordKind::rotate_extrude ? 2
-                                                                                : parent.dimension;
+    if (kind == WordKind::linear_extrude || kind == WordKind::rotate_extrude) return 2;
+    return kind == WordKind::projection ? 3 : parent.dimension;
   }
 
   void place(Index i) {

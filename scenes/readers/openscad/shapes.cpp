@@ -9,8 +9,11 @@
 #include "scenes/readers/openscad/dxf.h"
 #include "scenes/readers/openscad/extrude.h"
 #include "scenes/readers/openscad/hull.h"
+#include "scenes/readers/openscad/offset.h"
 #include "scenes/readers/openscad/primitives.h"
+#include "scenes/readers/openscad/project.h"
 #include "scenes/readers/openscad/regions.h"
+#include "scenes/readers/openscad/solid_tree.h"
 #include "scenes/readers/openscad/surface.h"
 #include "scenes/readers/openscad/text.h"
 
@@ -236,10 +239,10 @@ std::vector<Part> ShapeBuilder::parts_below(Index i, Index first, Index end) {
       continue;
     }
     if (!unites(*word) && shapes_[c].filled_children > 1) {
-      reporter_.error(tree_.nodes[i].at, in_quotes(tree_.nodes[i].name) + " of a " +
-                                             tree_.nodes[c].name +
-                                             " cannot be drawn: the surface of a Boolean solid is "
-                                             "never computed");
+      const std::string article = word->kind == WordKind::intersect ? "an " : "a ";
+      reporter_.error(tree_.nodes[i].at,
+                      in_quotes(tree_.nodes[i].name) + " of " + article + tree_.nodes[c].name +
+                          " cannot be drawn: the surface of a Boolean solid is never computed");
       return {};
     }
     ++c;
@@ -305,6 +308,26 @@ void ShapeBuilder::flat_minkowski_of(Index i) {
   add_hull(std::move(sum), state(i).place.affine, shapes_[i].flat.region);
 }
 
+/// The cut at z = 0 follows the set operations; the outline seen from above is that of unions only.
+void ShapeBuilder::project(Index i, bool cut) {
+  Region region;
+  if (cut) {
+    std::vector<Region> slices;
+    const std::vector<SolidNode> tree =
+        solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
+          slices.push_back(slice(part, state(leaf).place.affine));
+          return static_cast<Index>(slices.size() - 1);
+        });
+    region = overstrike::resolve(tree, slices);
+  } else {
+    std::vector<Region> shadows;
+    for (const Part& part : parts_below(i, i + 1, tree_.nodes[i].end))
+      shadows.push_back(shadow(part));
+    region = combine(SetOperation::unite, shadows);
+  }
+  shapes_[i].flat.region = placed(region, state(i).place.affine);
+}
+
 void ShapeBuilder::refuse_not_convex(Index i) {
   reporter_.error(tree_.nodes[i].at, "'minkowski' cannot be drawn: an operand is not convex");
 }
@@ -363,6 +386,14 @@ void ShapeBuilder::build_consumer(Index i) {
       break;
     case WordKind::resize:
       resize(i, arguments);
+      break;
+    case WordKind::offset: {
+      const Flat flat = united_children(i);
+      shape.flat = {placed(offset(arguments, flat.region), state(i).place.affine), flat.precision};
+      break;
+    }
+    case WordKind::projection:
+      project(i, arguments.boolean("cut", false));
       break;
     default:
       break;

@@ -44,6 +44,7 @@ class ShapeBuilder {
   void hull_of(Index i);
   void minkowski_of(Index i);
   void flat_minkowski_of(Index i);
+  void project(Index i, bool cut);
   void refuse_not_convex(Index i);
   void resize(Index i, const Arguments& arguments);
   std::vector<Part> parts_below(Index i, Index first, Index end);

@@ -14,8 +14,10 @@
 namespace overstrike::openscad {
 namespace {
 
-/// A size of 1 is 100/72 of an em: OpenSCAD sets type at 100 dots to the inch.
-constexpr double kEmsPerSize = 100.0 / 72;
+/// OpenSCAD's units: a size of 1 is so many 26.6 units of type at 100 dots to the inch, so that an
+/// em is 100/72. Hints act at that size, as in OpenSCAD.
+constexpr FT_F26Dot6 kUnits = 100000;
+constexpr FT_UInt kDotsPerInch = 100;
 /// Advances and heights are 1000/1024 of what they are in glyphs (OpenSCAD up to 2021.01 divides
 /// 26.6 numbers of a thousandth by 1024).
 constexpr double kAdvance = 1000.0 / 1024;
@@ -29,11 +31,9 @@ struct Close {
 template <class T>
 using Owned = std::unique_ptr<std::remove_pointer_t<T>, Close>;
 
-/// A font at one font unit to the pixel, so that nothing is rounded.
 struct Font {
   Owned<FT_Library> library;
   Owned<FT_Face> face;
-  double unit = 0;  ///< of a size of 1
 
   explicit Font(const FontFile& file) {
     FT_Library new_library = nullptr;
@@ -42,9 +42,7 @@ struct Font {
     library.reset(new_library);
     if (FT_New_Face(new_library, file.path.c_str(), file.index, &new_face) != 0) return;
     face.reset(new_face);
-    const FT_UShort em = new_face->units_per_EM;
-    if (em == 0 || FT_Set_Char_Size(new_face, 0, em * 64, 72, 72) != 0) face.reset();
-    if (face) unit = kEmsPerSize / em / 64;
+    if (FT_Set_Char_Size(new_face, 0, kUnits, kDotsPerInch, kDotsPerInch) != 0) face.reset();
   }
 };
 
@@ -148,10 +146,10 @@ Extent extent_of(const std::vector<Glyph>& glyphs, const Font& font, double unit
                  bool horizontal) {
   Extent extent;
   for (const Glyph& glyph : glyphs) {
-    if (FT_Load_Glyph(font.face.get(), glyph.number, FT_LOAD_NO_BITMAP | FT_LOAD_NO_HINTING) != 0)
-      continue;
+    if (FT_Load_Glyph(font.face.get(), glyph.number, FT_LOAD_NO_BITMAP) != 0) continue;
     FT_BBox box;
     FT_Outline_Get_CBox(&font.face->glyph->outline, &box);
+    box.yMax = (box.yMax + 63) & ~63, box.yMin &= ~63;  // to whole dots
     if (horizontal) {
       extent.width += glyph.advance.x * spacing;
       extent.above = std::fmax(extent.above, static_cast<double>(box.yMax) * unit * kAdvance);
@@ -199,7 +197,7 @@ std::vector<Region> text_outlines(const Arguments& a) {
     a.error("cannot use the font " + in_quotes(file.path));
     return {};
   }
-  const double unit = font.unit * size;
+  const double unit = size / kUnits;
   const Owned<hb_buffer_t*> line = shaped(a, text, font.face.get());
   const std::vector<Glyph> glyphs = glyphs_of(line.get(), unit * kAdvance);
   const bool horizontal = HB_DIRECTION_IS_HORIZONTAL(hb_buffer_get_direction(line.get()));
@@ -207,8 +205,7 @@ std::vector<Region> text_outlines(const Arguments& a) {
   Tracer tracer(std::max(a.fragments(size) / 8 + 1, 2), unit);
   std::vector<Region> regions;
   for (const Glyph& glyph : glyphs) {
-    if (FT_Load_Glyph(font.face.get(), glyph.number, FT_LOAD_NO_BITMAP | FT_LOAD_NO_HINTING) != 0)
-      continue;
+    if (FT_Load_Glyph(font.face.get(), glyph.number, FT_LOAD_NO_BITMAP) != 0) continue;
     Region region = tracer.trace(font.face->glyph->outline, pen + glyph.offset);
     if (!region.loops.empty()) regions.push_back(std::move(region));
     pen += glyph.advance * spacing;

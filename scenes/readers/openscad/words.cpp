@@ -21,6 +21,8 @@ constexpr std::string_view kLinear[] = {"height", "v",      "scale",    "center"
 constexpr std::string_view kRotate[] = {"angle", "start", "convexity"};
 constexpr std::string_view kConvexity[] = {"convexity"};
 constexpr std::string_view kResize[] = {"newsize", "auto", "convexity"};
+constexpr std::string_view kOffset[] = {"r", "delta", "chamfer"};
+constexpr std::string_view kProjection[] = {"cut", "convexity"};
 constexpr std::string_view kSurface[] = {"file", "center", "invert", "convexity", "timestamp"};
 constexpr std::string_view kImport[] = {"file",  "layer",  "origin",    "scale",
                                         "width", "height", "filename",  "center",
@@ -53,8 +55,8 @@ constexpr Word kWords[] = {
     {"hull", hull, kConsumer, 0, {}},
     {"minkowski", minkowski, kConsumer, 0, kConvexity},
     {"resize", resize, kConsumer, 0, kResize},
-    {"offset", refused, kConsumer, 2, {}, "outlines are not moved outwards or inwards"},
-    {"projection", refused, kConsumer, 2, {}, "the outline of a solid is not computed"},
+    {"offset", offset, kConsumer, 2, kOffset},
+    {"projection", projection, kConsumer, 2, kProjection},
     {"roof", refused, kConsumer, 3, {}, "straight skeletons are not computed"},
     {"fill", refused, kConsumer, 2, {}, "holes are not filled"},
 };

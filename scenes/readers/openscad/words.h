@@ -25,6 +25,8 @@ enum class WordKind : std::uint8_t {
   hull,
   minkowski,
   resize,
+  offset,
+  projection,
   surface,
   import,
   refused,
