@@ -2,7 +2,8 @@
 
 Each is exported by OpenSCAD and either drawn with its silhouette (under 0.2 % of the solid's pixels differ, all within
 one pixel of an edge) or refused with a message that names the word. `--table FILE` writes the table of docs/openscad.md;
-`--keep FOLDER` leaves the pictures; further words choose examples by name. Needs openscad and xvfb-run.
+`--keep FOLDER` leaves all files there, and takes the solids that OpenSCAD computed from there; further words choose
+examples by name. Needs openscad and xvfb-run.
 """
 import argparse
 import glob
@@ -64,6 +65,8 @@ class Example:
         return os.path.join(self.folder, self.name + ending)
 
     def export(self):
+        if os.path.exists(self.csg):
+            return True
         done = run(["openscad", "-o", self.csg, self.program])
         return os.path.exists(self.csg) or done.stderr
 
@@ -80,7 +83,8 @@ class Example:
         """OpenSCAD's result: as a mesh, or flat; None when it is empty."""
         for ending in (".stl", ".dxf"):
             path = self.path(ending)
-            run(["openscad", "-o", path, self.csg])  # not the program: it may be random
+            if not os.path.exists(path):
+                run(["openscad", "-o", path, self.csg])  # not the program: it may be random
             if os.path.exists(path) and re.search("vertex|LINE", open(path, encoding="utf-8").read()):
                 return path
         return None
@@ -143,7 +147,8 @@ def main():
     folder = options.keep or tempfile.mkdtemp()
     try:
         examples = os.path.join(folder, "examples")
-        shutil.copytree(EXAMPLES, examples, dirs_exist_ok=True)
+        if not os.path.exists(examples):
+            shutil.copytree(EXAMPLES, examples)
         programs = sorted(glob.glob(examples + "/*/*.scad"))
         chosen = [Example(p, folder) for p in programs]
         if options.names:
