@@ -103,13 +103,12 @@ class SliceBuilder {
     const bool tip = slice == slices_ - 1 && extrude_.scale == Vec2(0.0);
     for (const Loop2& loop : region_.loops) {
       const Index n = static_cast<Index>(loop.size());
-      const bool hole = !is_counter_clockwise(loop);
       for (Index i = 0; i < n; ++i) {
         const Index a = first + i, b = first + (i + 1) % n;
         if (tip) {
           p_.add_face({a, b, corners_ * static_cast<Index>(slices_)});
         } else {
-          add_wall(a, b, hole);
+          add_wall(a, b);
         }
       }
       first += n;
@@ -117,12 +116,13 @@ class SliceBuilder {
   }
 
   /// Between corners a and b and those above; flat when nothing turns them against each other. Else
-  /// it is split along the diagonal that leans against the twist, in holes along the other.
-  void add_wall(Index a, Index b, bool hole) {
+  /// it is split along the shorter diagonal, as OpenSCAD 2021.01 does.
+  void add_wall(Index a, Index b) {
     const Index c = b + corners_, d = a + corners_;
     if (extrude_.twist == 0 && extrude_.scale.x == extrude_.scale.y)
       return p_.add_face({a, b, c, d});
-    if ((extrude_.twist > 0) != hole) {
+    if (glm::distance(p_.vertices[a], p_.vertices[c]) <
+        glm::distance(p_.vertices[b], p_.vertices[d])) {
       p_.add_face({a, b, c});
       p_.add_face({a, c, d});
     } else {
