@@ -29,7 +29,7 @@ std::string summary(const Scene& scene, const Canonical& canonical) {
 }  // namespace
 
 int run(const CheckCommand& command) {
-  const ReadResult read = read_scene_argument(command.scene, command.format);
+  const ReadResult read = read_scene_argument(command.scene, command.format, command.definitions);
   say_warnings(read.warnings);
   const DrawOptions usual;
   const View view = make_view(read.scene, Grid{});

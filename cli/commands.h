@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/scene_changes.h"
 #include "core/drawing.h"
@@ -19,11 +20,12 @@ constexpr int kBadUsage = 2;
 enum class TimingsFormat : std::uint8_t { none, text, json };
 
 struct RenderCommand {
-  std::string scene;        ///< a file, or - for standard input
-  std::string output;       ///< a file, - for standard output, or empty
-  std::string device;       ///< empty: by the output's extension
-  std::string format;       ///< of standard input
-  Settings settings;        ///< for the device
+  std::string scene;                     ///< a file, or - for standard input
+  std::string output;                    ///< a file, - for standard output, or empty
+  std::string device;                    ///< empty: by the output's extension
+  std::string format;                    ///< of standard input
+  std::vector<std::string> definitions;  ///< NAME=VALUE, for OpenSCAD
+  Settings settings;                     ///< for the device
   std::size_t options = 0;  ///< so many of the settings, the first, were options of their own
   SceneChanges changes;
   Method method = Method::automatic;
@@ -53,6 +55,7 @@ struct EmulateCommand {
 struct CheckCommand {
   std::string scene;
   std::string format;
+  std::vector<std::string> definitions;  ///< NAME=VALUE, for OpenSCAD
 };
 
 struct DevicesCommand {

@@ -48,11 +48,14 @@ std::string read_stdin() {
   }
 }
 
-ReadResult read_scene_argument(const std::string& scene, const std::string& format) {
+ReadResult read_scene_argument(const std::string& scene, const std::string& format,
+                               const std::vector<std::string>& definitions) {
   if (scene != "-") {
     if (!format.empty())
       throw UsageError("--format is for standard input; a file's extension says what it is");
-    return read_scene(scene);
+    if (!definitions.empty() && !is_program(scene))
+      throw UsageError("-D is for OpenSCAD programs (.scad)");
+    return read_scene(scene, definitions);
   }
   const auto known = scene_formats();
   const std::string chosen = format.empty() ? "yaml" : format;

@@ -21,8 +21,10 @@ bool stdout_is_terminal();
 bool stderr_is_terminal();
 
 /// A scene of a file or of standard input (`-`; `format` is then an extension without its dot,
-/// empty for yaml). Throws InputError, UsageError (a format given for a file, or an unknown one).
-ReadResult read_scene_argument(const std::string& scene, const std::string& format);
+/// empty for yaml; `definitions` are for OpenSCAD). Throws InputError, UsageError (a format given
+/// for a file, or an unknown one).
+ReadResult read_scene_argument(const std::string& scene, const std::string& format,
+                               const std::vector<std::string>& definitions = {});
 
 /// Everything on standard input. Throws WorkError.
 std::string read_stdin();

@@ -63,6 +63,15 @@ void set_option(CLI::App* app, std::vector<std::string>& sets) {
       ->allow_extra_args(false);
 }
 
+/// -D name=value, any number of times.
+void define_option(CLI::App* app, std::vector<std::string>& definitions) {
+  const OptionHelp& help = option_help("-D,--define");
+  app->add_option(std::string(help.names), definitions, std::string(help.meaning))
+      ->type_name(std::string(help.value))
+      ->group(std::string(help.group))
+      ->allow_extra_args(false);
+}
+
 /// Help as we like it: usage lines of our own, one blank line between groups.
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -115,11 +124,15 @@ void add_scene_options(CLI::App* app, SceneChangeTexts& t) {
   text_option(app, option_help("--parallel"), t.parallel);
   text_option(app, option_help("--fov"), t.fov);
   flag(app, option_help("--fit"), t.fit);
+  text_option(app, option_help("--camera"), t.camera);
+  text_option(app, option_help("--projection"), t.projection);
   text_option(app, option_help("--light"), t.light);
   flag(app, option_help("--no-light"), t.no_light);
   text_option(app, option_help("--ground"), t.ground);
   flag(app, option_help("--no-ground"), t.no_ground);
   text_option(app, option_help("--density"), t.density);
+  flag(app, option_help("--weld"), t.weld);
+  flag(app, option_help("--no-weld"), t.no_weld);
 }
 
 void add_render(CLI::App& app, Words& w) {
@@ -132,6 +145,7 @@ void add_render(CLI::App& app, Words& w) {
     text_option(sub, option_help("--" + std::string(kDeviceSettings[i])), w.named[i]);
   set_option(sub, w.render_sets);
   add_scene_options(sub, w.changes);
+  define_option(sub, w.render.definitions);
   text_option(sub, option_help("--method"), w.method);
   text_option(sub, option_help("--boolean"), w.boolean);
   text_option(sub, option_help("--coherence"), w.coherence);

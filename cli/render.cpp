@@ -87,7 +87,7 @@ int run(const RenderCommand& command) {
   const auto start = Clock::now();
   const DeviceChoice choice = choose_device(command, stdout_is_terminal());
   check_settings(*choice.kind, command.settings);
-  ReadResult read = read_scene_argument(command.scene, command.format);
+  ReadResult read = read_scene_argument(command.scene, command.format, command.definitions);
   say_warnings(read.warnings);
   apply(command.changes, read.scene);
 

@@ -1,9 +1,12 @@
 #include "cli/scene_changes.h"
 
+#include <cmath>
 #include <limits>
 
 #include "cli/numbers.h"
+#include "cli/openscad_camera.h"
 #include "cli/usage.h"
+#include "core/geometry/tessellate.h"
 
 namespace overstrike {
 namespace {
@@ -33,6 +36,17 @@ void check_exclusions(const SceneChangeTexts& t) {
            {"--elevation", !t.elevation.empty()}});
   exclude({{"--parallel", !t.parallel.empty()}}, {{"--fov", !t.fov.empty()}, {"--fit", t.fit}});
   exclude({{"--fov", !t.fov.empty()}}, {{"--fit", t.fit}});
+  exclude({{"--camera", !t.camera.empty()}}, {{"--eye", !t.eye.empty()},
+                                              {"--target", !t.target.empty()},
+                                              {"--up", !t.up.empty()},
+                                              {"--look-at", !t.look_at.empty()},
+                                              {"--distance", !t.distance.empty()},
+                                              {"--azimuth", !t.azimuth.empty()},
+                                              {"--elevation", !t.elevation.empty()},
+                                              {"--parallel", !t.parallel.empty()},
+                                              {"--fov", !t.fov.empty()},
+                                              {"--fit", t.fit}});
+  exclude({{"--weld", t.weld}}, {{"--no-weld", t.no_weld}});
   exclude({{"--light", !t.light.empty()}}, {{"--no-light", t.no_light}});
   exclude({{"--ground", !t.ground.empty()}}, {{"--no-ground", t.no_ground}});
 }
@@ -59,6 +73,15 @@ std::optional<double> number_in(const NumberRule& rule, const std::string& text,
 std::optional<double> positive(const NumberRule& rule, const std::string& text, double most) {
   if (text.empty()) return std::nullopt;
   return read_number_above(rule, text, 0, most);
+}
+
+void read_whole_camera(const SceneChangeTexts& t, SceneChanges& c) {
+  if (!t.projection.empty() && t.camera.empty())
+    throw UsageError("--projection goes with --camera; a scene's own camera takes --parallel");
+  const bool parallel = t.projection == "o" || t.projection == "ortho";
+  if (!parallel && !t.projection.empty() && t.projection != "p" && t.projection != "perspective")
+    throw UsageError("--projection: expected o or p, found '" + t.projection + "'");
+  if (!t.camera.empty()) c.camera = read_openscad_camera(t.camera, parallel);
 }
 
 void read_camera(const SceneChangeTexts& t, SceneChanges& c) {
@@ -134,18 +157,33 @@ void apply_window(const SceneChanges& c, Camera& camera) {
   if (c.fov_deg) camera.parallel = false;
 }
 
+/// Half a unit of the sixth digit of a number as large as the body's coordinates.
+double six_digits(const Body& body) {
+  const Bounds box = bounds(*body.shape, body.placement);
+  const Vec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
+  const double largest = std::fmax(reach.x, std::fmax(reach.y, reach.z));
+  return largest > 0 ? 0.5 * std::pow(10.0, std::floor(std::log10(largest)) - 5) : 0;
+}
+
 }  // namespace
 
 SceneChanges read_scene_changes(const SceneChangeTexts& texts) {
   check_exclusions(texts);
   SceneChanges changes;
+  read_whole_camera(texts, changes);
   read_camera(texts, changes);
   read_window(texts, changes);
   read_light_and_ground(texts, changes);
+  changes.weld = texts.weld, changes.no_weld = texts.no_weld;
   return changes;
 }
 
 void apply(const SceneChanges& c, Scene& scene) {
+  if (c.camera) scene.camera = *c.camera;
+  for (Body& body : scene.bodies) {
+    if (c.no_weld) body.precision = 0;
+    if (c.weld && body.precision == 0) body.precision = six_digits(body);
+  }
   apply_camera(c, scene.camera);
   apply_window(c, scene.camera);
   if (c.light || c.no_light) scene.light = c.light;

@@ -12,12 +12,15 @@ struct SceneChangeTexts {
   std::string eye, target, up;
   std::string look_at, distance, azimuth, elevation;
   std::string parallel, fov;
+  std::string camera, projection;
   std::string light, ground, density;
   bool fit = false, no_light = false, no_ground = false;
+  bool weld = false, no_weld = false;
 };
 
 /// The same, read and checked.
 struct SceneChanges {
+  std::optional<Camera> camera;  ///< as a whole
   std::optional<Vec3> eye, target, up;
   std::optional<Vec3> look_at;
   std::optional<double> distance, azimuth_deg, elevation_deg;
@@ -27,6 +30,7 @@ struct SceneChanges {
   std::optional<double> ground_z;
   bool no_light = false, no_ground = false;
   std::optional<double> k, hmax;
+  bool weld = false, no_weld = false;
 };
 
 /// Throws UsageError for what is no number, out of bounds, or excluded by another option.

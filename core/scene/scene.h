@@ -25,6 +25,10 @@ struct Pattern {
 struct Body {
   ShapePtr shape;
   Affine placement;
+  /// How far the placement may have put the body, in the world, from where it was meant: that of a
+  /// file's few digits; 0 for numbers given in full. Planes of bodies that meet within theirs are
+  /// one.
+  double precision = 0;
   std::string name;           ///< empty when the scene gave none
   double density_factor = 1;  ///< multiplies the density law, >= 0; the product is clamped to 1
   Shading shading = Shading::flat;

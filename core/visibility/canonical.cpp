@@ -29,7 +29,7 @@ constexpr double kPlacementRoundings = 72;
 /// inexact has moved them together; only its four roundings and the shape's vertices are a vertex's
 /// own.
 VertexError placed_error(const Polyhedron& p, const Affine& placement, const Vec3& origin,
-                         double precision) {
+                         double precision, double place_precision) {
   constexpr double kUnit = 0x1p-53;
   Vec3 reach(0.0);
   for (const Vec3& v : p.vertices) reach = glm::max(reach, glm::abs(v));
@@ -38,7 +38,7 @@ VertexError placed_error(const Polyhedron& p, const Affine& placement, const Vec
   const Vec3 own = size * reach, offset = glm::abs(placement.offset);
   const double rounding = max_norm(own + offset + glm::abs(origin)) * kUnit;
   const double given = max_norm(size * Vec3(precision));
-  return {kPlacementRoundings * rounding + given,
+  return {kPlacementRoundings * rounding + given + place_precision,
           (kPlacementRoundings * max_norm(own) + 4 * max_norm(offset)) * kUnit + given};
 }
 
@@ -135,7 +135,7 @@ class Assembler {
     result.source = placed.source;
     for (const Vec3& p : placing.shape.polyhedron.vertices)
       out_.vertices.push_back(placing.placement(p));
-    add_faces(placing, result);
+    add_faces(placing, result, body.precision);
     result.end_face = static_cast<Index>(out_.faces.size());
     result.end_edge = result.first_edge + static_cast<Index>(placing.shape.edges.size());
     result.end_vertex = static_cast<Index>(out_.vertices.size());
@@ -143,10 +143,11 @@ class Assembler {
     out_.bodies.push_back(result);
   }
 
-  void add_faces(const Placing& placing, const CanonicalBody& body) {
+  void add_faces(const Placing& placing, const CanonicalBody& body, double body_precision) {
     const Polyhedron& p = placing.shape.polyhedron;
     const Index number = static_cast<Index>(out_.bodies.size());
-    errors_.push_back(placed_error(p, placing.placement, view_.origin, placing.shape.precision));
+    errors_.push_back(
+        placed_error(p, placing.placement, view_.origin, placing.shape.precision, body_precision));
     std::map<Index, Index> sample_of_group;
     for (Index f = 0; f < p.face_count(); ++f) {
       CanonicalFace face{};

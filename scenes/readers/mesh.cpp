@@ -32,7 +32,7 @@ constexpr Format kFormats[] = {
     {"3mf", check_not_empty, nullptr},  {"glb", check_not_empty, nullptr},
     {"gltf", check_not_empty, nullptr}, {"dae", check_not_empty, nullptr},
     {"fbx", check_not_empty, nullptr},  {"3ds", check_not_empty, nullptr},
-    {"x3d", check_not_empty, nullptr},
+    {"x3d", check_not_empty, nullptr},  {"amf", check_not_empty, nullptr},
 };
 
 const Format* find_format(std::string_view name) {

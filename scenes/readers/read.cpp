@@ -12,6 +12,8 @@
 #include "core/float_environment.h"
 #include "scenes/readers/mesh.h"
 #include "scenes/readers/nearest.h"
+#include "scenes/readers/openscad/program.h"
+#include "scenes/readers/openscad/scene.h"
 #include "scenes/readers/source_text.h"
 #include "scenes/readers/yaml/scene.h"
 
@@ -82,6 +84,12 @@ std::string lower_case(std::string text) {
 
 bool is_yaml(std::string_view format) { return format == "yaml" || format == "yml"; }
 
+std::string format_of(const std::filesystem::path& path) {
+  std::string format = lower_case(path.extension().string());
+  if (!format.empty()) format.erase(0, 1);
+  return format;
+}
+
 [[noreturn]] void unknown_format(const std::string& name, const std::string& format) {
   const std::vector<std::string_view> known = scene_formats();
   std::string all;
@@ -102,17 +110,21 @@ Scene mesh_scene(Mesh mesh, const std::string& name) {
 
 }  // namespace
 
-ReadResult read_scene(const std::filesystem::path& path) {
+ReadResult read_scene(const std::filesystem::path& path, std::span<const std::string> definitions) {
   const FloatEnvironment ours;
   check_kind(path);
-  std::string format = lower_case(path.extension().string());
-  if (!format.empty()) format.erase(0, 1);
+  const std::string format = format_of(path);
   if (is_yaml(format)) return yaml::read_scene(read_text(path), path.string(), path.parent_path());
+  if (format == "csg")
+    return openscad::read_scene(read_text(path), path.string(), path.parent_path());
+  if (format == "scad") return openscad::read_program(path, definitions);
   if (!is_mesh_format(format)) unknown_format(path.string(), format);
   ReadResult result;
   result.scene = mesh_scene(read_mesh(path, result.warnings), path.string());
   return result;
 }
+
+bool is_program(const std::filesystem::path& path) { return format_of(path) == "scad"; }
 
 ReadResult read_scene_text(std::string_view text, std::string_view format, const std::string& name,
                            const std::filesystem::path& folder) {
@@ -121,6 +133,10 @@ ReadResult read_scene_text(std::string_view text, std::string_view format, const
     if (text.size() > kLargestSceneFile) fail_for_size(name);
     return yaml::read_scene(text, name, folder);
   }
+  if (format == "csg") {
+    if (text.size() > kLargestSceneFile) fail_for_size(name);
+    return openscad::read_scene(text, name, folder);
+  }
   if (!is_mesh_format(format)) unknown_format(name, std::string(format));
   ReadResult result;
   result.scene = mesh_scene(read_mesh_text(text, format, name, result.warnings), name);
@@ -128,9 +144,9 @@ ReadResult read_scene_text(std::string_view text, std::string_view format, const
 }
 
 std::vector<std::string_view> scene_formats() {
-  std::vector<std::string_view> formats{"yaml", "yml"};
+  std::vector<std::string_view> formats{"yaml", "yml", "csg"};
   for (const std::string_view mesh :
-       {"stl", "obj", "off", "ply", "3mf", "glb", "gltf", "dae", "fbx", "3ds", "x3d"})
+       {"stl", "obj", "off", "ply", "3mf", "glb", "gltf", "dae", "fbx", "3ds", "x3d", "amf"})
     if (is_mesh_format(mesh)) formats.push_back(mesh);
   return formats;
 }

@@ -2,6 +2,7 @@
 // Files -> Scene.
 #include <filesystem>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,13 @@ struct ReadResult {
 
 /// Reads a scene by its extension: .yaml .yml scenes; .stl .obj .off .ply and what Assimp reads
 /// (.3mf .glb .gltf ...): a mesh alone is a scene, with camera, light and ground chosen sensibly.
+/// .csg is OpenSCAD's export; .scad is exported by it first, with `definitions` (name=value).
 /// Throws InputError with all errors of the file.
-ReadResult read_scene(const std::filesystem::path& path);
+ReadResult read_scene(const std::filesystem::path& path,
+                      std::span<const std::string> definitions = {});
+
+/// True for a file that another program makes a scene of: definitions are for it.
+bool is_program(const std::filesystem::path& path);
 
 /// The same from text in memory. `format` is an extension without its dot; `name` stands in
 /// messages; files that the text names are looked for in `folder`.

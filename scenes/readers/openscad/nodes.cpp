@@ -1,0 +1,178 @@
+#include "scenes/readers/openscad/nodes.h"
+
+#include <algorithm>
+
+#include "scenes/readers/nearest.h"
+
+namespace overstrike::openscad {
+namespace {
+
+/// Flat formats of `import`.
+bool is_flat_file(std::string name) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name.ends_with(".dxf") || name.ends_with(".svg");
+}
+
+/// Of a placement what it does to the plane z = 0.
+Affine in_plane(const Affine& a) {
+  Affine flat;
+  for (int c = 0; c < 2; ++c)
+    for (int r = 0; r < 2; ++r) flat.linear[c][r] = a.linear[c][r];
+  flat.offset = Vec3(a.offset.x, a.offset.y, 0);
+  return flat;
+}
+
+bool is_finite(const Affine& a) {
+  const Vec3 sum = a.linear[0] + a.linear[1] + a.linear[2] + a.offset;
+  return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
+}
+
+class Resolver {
+ public:
+  Resolver(const Tree& tree, Reporter& reporter) : tree_(tree), reporter_(reporter) {
+    nodes_.states.resize(tree.nodes.size());
+  }
+
+  Nodes resolve() {
+    find_words();
+    for (auto i = nodes_.order.rbegin(); i != nodes_.order.rend(); ++i) find_dimension(*i);
+    drop_other_dimensions();
+    for (const Index i : nodes_.order) place(i);
+    return std::move(nodes_);
+  }
+
+ private:
+  NodeState& state(Index i) { return nodes_.states[i]; }
+
+  void find_words() {
+    std::vector<Index> above;
+    const Index end = tree_.nodes[tree_.root].end;
+    for (Index i = tree_.root; i < end;) {
+      while (!above.empty() && tree_.nodes[above.back()].end <= i) above.pop_back();
+      const Node& node = tree_.nodes[i];
+      if (!is_drawn(i, node)) {
+        i = node.end;
+        continue;
+      }
+      state(i).word = find_word(node.name);
+      if (state(i).word == nullptr || state(i).word->kind == WordKind::refused) {
+        refuse(node, state(i).word);
+        i = node.end;
+        continue;
+      }
+      state(i).drawn = true;
+      state(i).parent = above.empty() ? kNoNode : above.back();
+      nodes_.order.push_back(i);
+      above.push_back(i);
+      ++i;
+    }
+  }
+
+  bool is_drawn(Index i, const Node& node) {
+    if (i == tree_.root) return true;
+    if (node.background && !told_background_) {
+      told_background_ = true;
+      reporter_.warning(
+          node.at, in_quotes("%" + node.name) + " is left out: background is no part of the solid");
+    }
+    return !node.background && !node.disabled;
+  }
+
+  void refuse(const Node& node, const Word* word) {
+    if (reporter_.full()) return reporter_.error(node.at, "not drawn");
+    if (word != nullptr) {
+      reporter_.error(node.at,
+                      in_quotes(node.name) + " cannot be drawn: " + std::string(word->refusal));
+    } else if (is_program_word(node.name)) {
+      reporter_.error(node.at, in_quotes(node.name) + " belongs to a program, not to a .csg file",
+                      "name the file .scad, and OpenSCAD is asked what it makes");
+    } else {
+      reporter_.error(node.at, "unknown node " + in_quotes(node.name),
+                      did_you_mean(node.name, word_names()));
+    }
+  }
+
+  /// A node's dimension is its first child's that has one: children come later in the order, and
+  /// the first writes last.
+  void find_dimension(Index i) {
+    NodeState& s = state(i);
+    if (s.word->dimension != 0) s.dimension = s.word->dimension;
+    if (s.word->kind == WordKind::import) {
+      const Arguments arguments(tree_, i, *s.word, reporter_);
+      s.dimension = is_flat_file(arguments.text("file", "")) ? 2 : 3;
+    }
+    if (s.parent != kNoNode && s.dimension != 0 && state(s.parent).word->dimension == 0)
+      state(s.parent).dimension = s.dimension;
+  }
+
+  void drop_other_dimensions() {
+    std::vector<Index> kept;
+    for (const Index i : nodes_.order) {
+      NodeState& s = state(i);
+      if (s.parent != kNoNode) {
+        s.drawn = state(s.parent).drawn;
+        const int wanted = inner_dimension(state(s.parent));
+        if (s.drawn && s.dimension != 0 && s.dimension != wanted) {
+          s.drawn = false;
+          reporter_.warning(tree_.nodes[i].at,
+                            std::string(s.dimension == 2 ? "a flat shape" : "a solid") + " among " +
+                                (wanted == 2 ? "flat shapes" : "solids") + " is left out");
+        }
+      }
+      if (s.drawn) kept.push_back(i);
+    }
+    nodes_.order = std::move(kept);
+  }
+
+  static int inner_dimension(const NodeState& parent) {
+    const WordKind kind = parent.word->kind;
+    if (kind == WordKind::linear_extrude || kind == WordKind::rotate_extrude) return 2;
+    return kind == WordKind::projection ? 3 : parent.dimension;
+  }
+
+  void place(Index i) {
+    NodeState& s = state(i);
+    s.loose = true;
+    if (s.parent != kNoNode) {
+      const NodeState& above = state(s.parent);
+      const bool structure = above.word->role == WordRole::structure;
+      s.loose = structure && above.loose && unites(*above.word);
+      s.color = above.color;
+      if (structure) s.place = above.place;
+    }
+    const Arguments arguments(tree_, i, *s.word, reporter_);
+    if (s.word->kind == WordKind::place) {
+      std::optional<Placement> own = arguments.matrix();
+      if (!own) return;
+      if (s.dimension == 2)
+        own->affine = in_plane(own->affine), own->error = in_plane_error(own->error);
+      s.place = s.place * *own;
+      if (!is_finite(s.place.affine)) arguments.error("the place is not finite");
+    } else if (s.word->kind == WordKind::tint && !s.color) {
+      const Vec4 color = arguments.color();
+      if (color.x >= 0) s.color = glm::clamp(Vec3(color), Vec3(0.0), Vec3(1.0));
+    }
+  }
+
+  static Affine in_plane_error(const Affine& a) {
+    Affine flat = in_plane(a);
+    flat.linear[2] = Vec3(0.0);
+    return flat;
+  }
+
+  const Tree& tree_;
+  Reporter& reporter_;
+  Nodes nodes_;
+  bool told_background_ = false;
+};
+
+}  // namespace
+
+bool unites(const Word& word) {
+  return word.kind != WordKind::subtract && word.kind != WordKind::intersect;
+}
+
+Nodes resolve(const Tree& tree, Reporter& reporter) { return Resolver(tree, reporter).resolve(); }
+
+}  // namespace overstrike::openscad

@@ -1,0 +1,407 @@
+#include "scenes/readers/openscad/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/region_sets.h"
+#include "scenes/readers/mesh.h"
+#include "scenes/readers/mesh_file.h"
+#include "scenes/readers/openscad/dxf.h"
+#include "scenes/readers/openscad/extrude.h"
+#include "scenes/readers/openscad/hull.h"
+#include "scenes/readers/openscad/offset.h"
+#include "scenes/readers/openscad/primitives.h"
+#include "scenes/readers/openscad/project.h"
+#include "scenes/readers/openscad/regions.h"
+#include "scenes/readers/openscad/solid_tree.h"
+#include "scenes/readers/openscad/surface.h"
+#include "scenes/readers/openscad/text.h"
+
+namespace overstrike::openscad {
+namespace {
+
+/// Where the points lie: low and high corner.
+struct Box3 {
+  Vec3 low{1e300}, high{-1e300};
+};
+
+/// Larger drawings are refused as they are read.
+void check_drawing(std::string_view, std::uint64_t, const std::string&) {}
+
+void append_placed(const std::vector<Part>& parts, const Placement& place, std::vector<Part>& all) {
+  for (const Part& part : parts)
+    all.push_back({part.shape, place.affine * part.place, placed_precision(part, place)});
+}
+
+double worst_precision(const std::vector<Part>& parts) {
+  double worst = 0;
+  for (const Part& part : parts) worst = std::fmax(worst, part.precision);
+  return worst;
+}
+
+void add_hull(std::vector<Vec2> points, const Affine& place, Region& region) {
+  std::vector<Vec2> outline = hull(std::move(points));
+  if (outline.size() < 3) return;
+  region.loops.push_back(std::move(outline));
+  region = placed(region, place);
+}
+
+void add_hull(const std::vector<Vec3>& points, double precision, std::vector<Part>& parts) {
+  std::optional<Polyhedron> faces = hull(points);
+  if (!faces) return;
+  parts.push_back(
+      {std::make_shared<const Shape>(Mesh{std::move(*faces), {}, {}, 0}), {}, precision});
+}
+
+}  // namespace
+
+std::vector<NodeShape> ShapeBuilder::build() {
+  shapes_.resize(tree_.nodes.size());
+  for (auto i = nodes_.order.rbegin(); i != nodes_.order.rend(); ++i) build_node(*i);
+  return std::move(shapes_);
+}
+
+void ShapeBuilder::build_node(Index i) {
+  switch (state(i).word->role) {
+    case WordRole::leaf:
+      build_leaf(i);
+      break;
+    case WordRole::consumer:
+      build_consumer(i);
+      break;
+    case WordRole::structure:
+      build_structure(i);
+      break;
+  }
+}
+
+void ShapeBuilder::build_leaf(Index i) {
+  const Arguments arguments(tree_, i, *state(i).word, reporter_);
+  NodeShape& shape = shapes_[i];
+  if (state(i).dimension == 2) {
+    shape.flat = flat_leaf(i, arguments);
+    shape.content = shape.flat.region.loops.empty() ? Content::empty : Content::filled;
+  } else {
+    shape.parts = solid_leaf(i, arguments);
+    shape.content = shape.parts.empty() ? Content::empty : Content::filled;
+  }
+  for (Part& part : shape.parts) part.shape = pool_.shared(std::move(part.shape));
+}
+
+std::vector<Part> ShapeBuilder::solid_leaf(Index i, const Arguments& arguments) {
+  switch (state(i).word->kind) {
+    case WordKind::cube:
+      return cube(arguments);
+    case WordKind::sphere:
+      return sphere(arguments);
+    case WordKind::cylinder:
+      return cylinder(arguments);
+    case WordKind::polyhedron:
+      return polyhedron(arguments);
+    default:
+      break;
+  }
+  const std::filesystem::path path = folder_ / arguments.text("file", "");
+  std::vector<Part> parts;
+  try {
+    if (state(i).word->kind == WordKind::surface) return surface(arguments, path);
+    parts = {imported_mesh(path)};
+  } catch (const InputError& error) {
+    reporter_.append(error.diagnostics());
+  }
+  return parts;
+}
+
+Part ShapeBuilder::imported_mesh(const std::filesystem::path& path) {
+  const auto [known, is_new] = meshes_.try_emplace(path.string());
+  if (is_new) {
+    std::vector<Diagnostic> warnings;
+    known->second = std::make_shared<const Shape>(read_mesh(path, warnings));
+    reporter_.append(warnings);
+  }
+  if (known->second == nullptr) throw InputError(Place{path.string(), 0, 0}, "cannot be read");
+  return {known->second, {}, 0};
+}
+
+Region ShapeBuilder::imported_region(const Arguments& arguments) {
+  const std::filesystem::path path = folder_ / arguments.text("file", "");
+  if (path.extension() != ".dxf" && path.extension() != ".DXF") {
+    arguments.error("'import' of " + path.extension().string() + " cannot be drawn",
+                    "flat drawings are read as DXF");
+    return {};
+  }
+  const Vec3 origin = arguments.sizes("origin", 2, 0);
+  try {
+    const std::string text = read_mesh_file(path, check_drawing);
+    return read_dxf(text, path.string(),
+                    {arguments.text("layer", ""), Vec2(origin), arguments.number("scale", 1)},
+                    arguments);
+  } catch (const InputError& error) {
+    reporter_.append(error.diagnostics());
+    return {};
+  }
+}
+
+/// Outlines may cross and lie on one another; what core has no use for is sorted out here, once.
+Flat ShapeBuilder::flat_leaf(Index i, const Arguments& arguments) {
+  std::vector<Region> regions(1);
+  double precision = 0;
+  const auto take = [&](Flat flat) {
+    regions[0] = std::move(flat.region);
+    precision = flat.precision;
+  };
+  switch (state(i).word->kind) {
+    case WordKind::square:
+      take(square(arguments));
+      break;
+    case WordKind::circle:
+      take(circle(arguments));
+      break;
+    case WordKind::polygon:
+      take(polygon(arguments));
+      break;
+    case WordKind::text:
+      regions = text_outlines(arguments);
+      break;
+    case WordKind::import:
+      regions[0] = imported_region(arguments);
+      break;
+    default:
+      break;
+  }
+  const Affine& place = state(i).place.affine;
+  for (Region& region : regions) region = placed(region, place);
+  return {combine(SetOperation::unite, regions), precision};
+}
+
+std::vector<Index> ShapeBuilder::drawn_children(Index i) const {
+  std::vector<Index> children;
+  for (Index c = i + 1; c < tree_.nodes[i].end; c = tree_.nodes[c].end)
+    if (state(c).drawn) children.push_back(c);
+  return children;
+}
+
+void ShapeBuilder::build_structure(Index i) {
+  const WordKind kind = state(i).word->kind;
+  Content content = Content::none;
+  bool begun = false;
+  for (const Index c : drawn_children(i)) {
+    const Content of_child = shapes_[c].content;
+    if (of_child == Content::none) continue;
+    const bool first = !begun;
+    begun = true;
+    if (kind == WordKind::intersect) {
+      content = first || of_child == Content::empty ? of_child : content;
+      if (content == Content::empty) break;
+    } else if (kind == WordKind::subtract) {
+      if (first) content = of_child;
+    } else if (content != Content::filled) {
+      content = of_child;
+    }
+    if (of_child == Content::filled) ++shapes_[i].filled_children;
+  }
+  shapes_[i].content = content;
+  if (state(i).dimension != 2 || content != Content::filled) return;
+  const bool has_leaves_drawn = state(i).loose && unites(*state(i).word);
+  if (has_leaves_drawn) return;
+  const SetOperation operation = kind == WordKind::subtract    ? SetOperation::subtract
+                                 : kind == WordKind::intersect ? SetOperation::intersect
+                                                               : SetOperation::unite;
+  shapes_[i].flat = combined(i, operation);
+  if (shapes_[i].flat.region.loops.empty()) shapes_[i].content = Content::empty;
+}
+
+Flat ShapeBuilder::united_children(Index i) { return combined(i, SetOperation::unite); }
+
+Flat ShapeBuilder::combined(Index i, SetOperation operation) {
+  std::vector<Region> operands;
+  double precision = 0;
+  for (const Index c : drawn_children(i)) {
+    Flat& flat = shapes_[c].flat;
+    if (shapes_[c].content != Content::filled) continue;
+    precision = std::fmax(precision, flat.precision);
+    operands.push_back(std::move(flat.region));
+  }
+  if (operands.empty()) return {};
+  if (operands.size() == 1) return {std::move(operands[0]), precision};
+  return {combine(operation, operands), precision};
+}
+
+/// Of the solids between two nodes below node i: those of leaves, in the frame of node i.
+std::vector<Part> ShapeBuilder::parts_below(Index i, Index first, Index end) {
+  std::vector<Part> all;
+  for (Index c = first; c < end;) {
+    const bool skip = !state(c).drawn || shapes_[c].content != Content::filled;
+    const Word* const word = state(c).word;
+    if (skip || word->role != WordRole::structure) {
+      if (!skip) append_placed(shapes_[c].parts, state(c).place, all);
+      c = tree_.nodes[c].end;
+      continue;
+    }
+    if (!unites(*word) && shapes_[c].filled_children > 1) {
+      const std::string article = word->kind == WordKind::intersect ? "an " : "a ";
+      reporter_.error(tree_.nodes[i].at,
+                      in_quotes(tree_.nodes[i].name) + " of " + article + tree_.nodes[c].name +
+                          " cannot be drawn: the surface of a Boolean solid is never computed");
+      return {};
+    }
+    ++c;
+  }
+  return all;
+}
+
+void ShapeBuilder::hull_of(Index i) {
+  NodeShape& shape = shapes_[i];
+  if (state(i).dimension == 2) {
+    std::vector<Vec2> points;
+    for (const Index c : drawn_children(i)) {
+      shape.flat.precision = std::fmax(shape.flat.precision, shapes_[c].flat.precision);
+      for (const auto& loop : shapes_[c].flat.region.loops)
+        points.insert(points.end(), loop.begin(), loop.end());
+    }
+    add_hull(std::move(points), state(i).place.affine, shape.flat.region);
+    return;
+  }
+  const std::vector<Part> parts = parts_below(i, i + 1, tree_.nodes[i].end);
+  std::vector<Vec3> points;
+  for (const Part& part : parts) {
+    const std::vector<Vec3> corners = corners_of(part);
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  add_hull(points, worst_precision(parts), shape.parts);
+}
+
+/// The sum of unions is the union of the sums of their parts, and the sum of convex parts is the
+/// hull of the sums of their corners.
+void ShapeBuilder::minkowski_of(Index i) {
+  if (state(i).dimension == 2) return flat_minkowski_of(i);
+  std::vector<Part> sum;
+  for (const Index c : drawn_children(i)) {
+    if (shapes_[c].content == Content::none) continue;
+    const std::vector<Part> parts = parts_below(i, c, tree_.nodes[c].end);
+    for (const Part& part : parts)
+      if (!is_convex(part)) return refuse_not_convex(i);
+    if (sum.empty()) {
+      sum = parts;
+      continue;
+    }
+    std::vector<Part> next;
+    for (const Part& a : sum)
+      for (const Part& b : parts)
+        add_hull(sums(corners_of(a), corners_of(b)), a.precision + b.precision, next);
+    sum = std::move(next);
+  }
+  shapes_[i].parts = std::move(sum);
+}
+
+void ShapeBuilder::flat_minkowski_of(Index i) {
+  std::vector<Vec2> sum;
+  double precision = 0;
+  for (const Index c : drawn_children(i)) {
+    if (shapes_[c].content != Content::filled) continue;
+    const Flat& flat = shapes_[c].flat;
+    if (!is_convex(flat.region)) return refuse_not_convex(i);
+    precision += flat.precision;
+    sum = sum.empty() ? flat.region.loops[0] : hull(sums(sum, flat.region.loops[0]));
+  }
+  shapes_[i].flat.precision = precision;
+  add_hull(std::move(sum), state(i).place.affine, shapes_[i].flat.region);
+}
+
+/// The cut at z = 0 follows the set operations; the outline seen from above is that of unions only.
+void ShapeBuilder::project(Index i, bool cut) {
+  Region region;
+  if (cut) {
+    std::vector<Region> slices;
+    const std::vector<SolidNode> tree =
+        solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
+          slices.push_back(slice(part, state(leaf).place.affine));
+          return static_cast<Index>(slices.size() - 1);
+        });
+    region = overstrike::resolve(tree, slices);
+  } else {
+    std::vector<Region> shadows;
+    for (const Part& part : parts_below(i, i + 1, tree_.nodes[i].end))
+      shadows.push_back(shadow(part));
+    region = combine(SetOperation::unite, shadows);
+  }
+  shapes_[i].flat.region = placed(region, state(i).place.affine);
+}
+
+void ShapeBuilder::refuse_not_convex(Index i) {
+  reporter_.error(tree_.nodes[i].at, "'minkowski' cannot be drawn: an operand is not convex");
+}
+
+/// Each size that is given becomes that; with `auto`, those that are not follow the largest change.
+void ShapeBuilder::resize(Index i, const Arguments& arguments) {
+  NodeShape& shape = shapes_[i];
+  const bool flat = state(i).dimension == 2;
+  Box3 box;
+  const auto reach = [&](const Vec3& p) {
+    box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+  };
+  if (flat) {
+    shape.flat = united_children(i);
+    for (const auto& loop : shape.flat.region.loops)
+      for (const Vec2& p : loop) reach(Vec3(p, 0));
+  } else {
+    shape.parts = parts_below(i, i + 1, tree_.nodes[i].end);
+    for (const Part& part : shape.parts)
+      for (const Vec3& p : corners_of(part)) reach(p);
+  }
+  const Vec3 size = box.high - box.low, wanted = arguments.sizes("newsize", flat ? 2 : 3, 0);
+  Vec3 scale(1.0);
+  double most = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    if (wanted[axis] > 0 && size[axis] > 0) {
+      scale[axis] = wanted[axis] / size[axis];
+      most = most == 1 ? scale[axis] : std::fmax(most, scale[axis]);
+    }
+  const Vec3 follow = arguments.flags("auto");
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(wanted[axis] > 0) && follow[axis] != 0) scale[axis] = most;
+  const Affine change{Mat3({scale.x, 0, 0}, {0, scale.y, 0}, {0, 0, scale.z}), Vec3(0.0)};
+  shape.flat.region = placed(shape.flat.region, state(i).place.affine * change);
+  for (Part& part : shape.parts) part.place = change * part.place;
+}
+
+void ShapeBuilder::build_consumer(Index i) {
+  const Arguments arguments(tree_, i, *state(i).word, reporter_);
+  NodeShape& shape = shapes_[i];
+  bool any = false;
+  for (const Index c : drawn_children(i)) any = any || shapes_[c].content != Content::none;
+  if (!any) return;
+  switch (state(i).word->kind) {
+    case WordKind::linear_extrude:
+      shape.parts = linear_extrude(arguments, united_children(i));
+      break;
+    case WordKind::rotate_extrude:
+      shape.parts = rotate_extrude(arguments, united_children(i));
+      break;
+    case WordKind::hull:
+      hull_of(i);
+      break;
+    case WordKind::minkowski:
+      minkowski_of(i);
+      break;
+    case WordKind::resize:
+      resize(i, arguments);
+      break;
+    case WordKind::offset: {
+      const Flat flat = united_children(i);
+      shape.flat = {placed(offset(arguments, flat.region), state(i).place.affine), flat.precision};
+      break;
+    }
+    case WordKind::projection:
+      project(i, arguments.boolean("cut", false));
+      break;
+    default:
+      break;
+  }
+  const bool empty =
+      state(i).dimension == 2 ? shape.flat.region.loops.empty() : shape.parts.empty();
+  shape.content = empty ? Content::empty : Content::filled;
+  for (Part& part : shape.parts) part.shape = pool_.shared(std::move(part.shape));
+}
+
+}  // namespace overstrike::openscad
