@@ -115,7 +115,7 @@ void try_all(const TinyScene& tiny) {
   for (const ScanFamily& family : std::span(kFamilies).subspan(1))
     for (const DrawnLine& line : draw_lines(drawing, family)) judge.judge(line);
   draw_cells(drawing);
-  if (tiny.scene.solids.empty()) draw_strokes(drawing, tiny.scene.bodies.size());
+  draw_strokes(drawing, tiny.scene.bodies.size());
   expect_jump_equals_step(drawing, rows);
   if (tiny.asked.threads) expect_threads_agree(prepared);
   if (tiny.asked.order) expect_order_does_not_count(tiny.scene, rows);

@@ -81,7 +81,6 @@ void append_turned(const std::vector<SolidNode>& from, std::uint32_t at, std::si
 void add_solids(ByteSource& bytes, Scene& scene) {
   const unsigned solids = bytes.below(3);
   if (solids == 0) return;
-  scene.light.reset();
   Planter planter(bytes, scene);
   for (unsigned i = 0; i < solids; ++i) planter.add();
 }

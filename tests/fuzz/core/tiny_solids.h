@@ -6,8 +6,8 @@
 namespace overstrike::fuzz {
 
 /// One or two solids, when the bytes say so, of trees over the scene's closed bodies and copies of
-/// them: a body may be an operand in several places. What no tree took stands for itself. The light
-/// goes, which solids refuse. Without bytes there is none.
+/// them: a body may be an operand in several places. What no tree took stands for itself. Without
+/// bytes there is none.
 void add_solids(ByteSource& bytes, Scene& scene);
 
 /// The same bodies and solids, and operands but for those from which others are taken, in the
