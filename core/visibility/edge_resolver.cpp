@@ -49,7 +49,7 @@ std::vector<VisiblePart> EdgeResolver::visible(const SightLine& line) {
 }
 
 void EdgeResolver::hide_by_solids(const Ruler& ruler, double sliver) {
-  solids_.resolve(ruler, sliver, shown_);
+  solids_.resolve(ruler, sliver, SolidSight::Ends::in_line, shown_);
   for (const SolidSight::Part& part : shown_)
     if (part.hides) hidden_[part.side].push_back(part.over);
 }
@@ -98,7 +98,11 @@ void EdgeResolver::hide_behind(const SightLine& line, const Ruler& ruler, Index 
   if (lies_in && !operand) return;
   const Lead at_a = lies_in ? Lead{0, 0} : lead(line.a, f.plane),
              at_b = lies_in ? Lead{0, 0} : lead(line.b, f.plane);
-  if (operand) return solids_.add(face, {at_a, at_b}, crossings_.over(face, ruler));
+  if (operand) {
+    const DepthPlane& d = scene_.depth(f.plane);
+    return solids_.add(
+        {face, {at_a, at_b}, scene_.side(face), {d.a, d.b}, crossings_.over(face, ruler)});
+  }
   const Interval behind = positive_part(at_a.value, at_b.value);
   if (!(behind.first < behind.second)) return;
   const Passage& passage = crossings_.over(face, ruler);

@@ -18,7 +18,7 @@ struct VisiblePart {
 class EdgeResolver {
  public:
   EdgeResolver(const ProjectedScene& scene, const FaceIndex& index)
-      : scene_(scene), crossings_(scene), query_(index), solids_(scene) {}
+      : scene_(scene), crossings_(scene), query_(index), solids_(scene.canonical) {}
 
   /// The parts of the line (of line.within) that lie on the page and that nothing hides.
   std::vector<VisiblePart> visible(const SightLine& line);

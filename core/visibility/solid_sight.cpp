@@ -11,15 +11,13 @@ namespace overstrike {
 class SolidSight::Order final : public LayerOrder {
  public:
   /// `side` as in Part. `faces` are sorted.
-  Order(const ProjectedScene& scene, std::span<const Face> faces, const Ruler& ruler, int side)
-      : scene_(scene), faces_(faces) {
+  Order(std::span<const Face> faces, const Ruler& ruler, int side) : faces_(faces) {
     const Vec2 right = ruler.right() * (side == 0 ? 1.0 : -1.0);
     for (const Face& f : faces) {
-      const auto& [at_a, at_b] = f.leads;
+      const auto& [at_a, at_b] = f.over.leads;
       const double error = std::max(at_a.error, at_b.error);
       leads_.push_back({at_b.value - at_a.value, 0, at_a.value, 0, 0, error});
-      const DepthPlane& d = scene.depth(scene.canonical.faces[f.face].plane);
-      across_.push_back(d.a * right.x + d.b * right.y);
+      across_.push_back(glm::dot(f.over.slope, right));
     }
   }
 
@@ -39,7 +37,7 @@ class SolidSight::Order final : public LayerOrder {
     const DepthPlane &p = depth_of(f), &q = depth_of(g);
     return p.a == q.a ? std::numeric_limits<double>::quiet_NaN() : (q.c - p.c) / (p.a - q.a);
   }
-  int enters(Index face) const override { return scene_.side(face); }
+  int enters(Index face) const override { return faces_[number_of(face)].over.enters; }
   bool at_end(Index face) const override {
     const DepthPlane& lead = leads_[number_of(face)];
     return lead.a == 0 && lead.c == 0;
@@ -49,52 +47,50 @@ class SolidSight::Order final : public LayerOrder {
   std::size_t number_of(Index face) const {
     return static_cast<std::size_t>(
         std::partition_point(faces_.begin(), faces_.end(),
-                             [&](const Face& f) { return f.face < face; }) -
+                             [&](const Face& f) { return f.over.face < face; }) -
         faces_.begin());
   }
 
-  const ProjectedScene& scene_;
   std::span<const Face> faces_;
   std::vector<DepthPlane> leads_;
   std::vector<double> across_;  ///< per face: how fast it comes nearer on the side of the line
 };
 
-SolidSight::SolidSight(const ProjectedScene& scene) : scene_(scene), sweep_(scene.canonical) {}
+SolidSight::SolidSight(const Canonical& canonical) : canonical_(canonical), sweep_(canonical) {}
 
-void SolidSight::add(Index face, const std::array<Lead, 2>& leads, const Passage& passage) {
-  const Canonical& c = scene_.canonical;
-  faces_.push_back({c.memberships[c.faces[face].body].solid, face, leads, passage});
+void SolidSight::add(const FaceOver& face) {
+  faces_.push_back({canonical_.memberships[canonical_.faces[face.face].body].solid, face});
 }
 
-void SolidSight::resolve(const Ruler& ruler, double sliver, std::vector<Part>& parts) {
+void SolidSight::resolve(const Ruler& ruler, double sliver, Ends ends, std::vector<Part>& parts) {
   parts.clear();
   std::sort(faces_.begin(), faces_.end(), [](const Face& f, const Face& g) {
-    return f.solid != g.solid ? f.solid < g.solid : f.face < g.face;
+    return f.solid != g.solid ? f.solid < g.solid : f.over.face < g.over.face;
   });
   for (std::size_t first = 0, end = 0; first < faces_.size(); first = end) {
     for (end = first; end < faces_.size() && faces_[end].solid == faces_[first].solid;) ++end;
     const std::span<const Face> of_solid(faces_.data() + first, end - first);
     for (int side = 0; side < 2; ++side)
-      resolve(of_solid, side, Order(scene_, of_solid, ruler, side), sliver, parts);
+      resolve(of_solid, side, Order(of_solid, ruler, side), sliver, ends, parts);
   }
 }
 
 void SolidSight::resolve(std::span<const Face> faces, int side, const Order& order, double sliver,
-                         std::vector<Part>& parts) {
+                         Ends ends, std::vector<Part>& parts) {
   const float slack = static_cast<float>(sliver / 2);
   passing_.clear();
   for (const Face& f : faces)
-    for (const Interval& over : f.passage.side[side]) {
+    for (const Interval& over : f.over.passage.side[side]) {
       const double from = std::max(over.first, 0.0), to = std::min(over.second, 1.0);
       if (!(from < to)) continue;
-      passing_.push_back({from, slack, {f.face, kNone}});
-      passing_.push_back({to, slack, {f.face, kNone}});
+      passing_.push_back({from, slack, {f.over.face, kNone}});
+      passing_.push_back({to, slack, {f.over.face, kNone}});
     }
   if (passing_.empty()) return;
   sort_passing(passing_);
   const Index solid = faces.front().solid;
-  sweep_.begin(scene_.canonical.solids[solid]->expression, order, 0, 1);
-  sweep_.end_at_layer();
+  sweep_.begin(canonical_.solids[solid]->expression, order, 0, 1);
+  if (ends == Ends::in_line) sweep_.end_at_layer();
   pieces_.clear();
   sweep(
       passing_, [&](const auto& passed) { sweep_.pass(passed); },
