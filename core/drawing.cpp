@@ -447,8 +447,8 @@ std::vector<Stroke> Drawing::strokes(const StrokeOptions& options) {
   Impl& impl = *impl_;
   const std::vector<Shadow>& shadows = impl.shadows();
   Stopwatch watch;
-  std::vector<Stroke> strokes =
-      visible_strokes(impl.seen(), impl.view, shadows, options, impl.options.tolerance);
+  std::vector<Stroke> strokes = visible_strokes(*impl.whole, impl.seen(), impl.view, shadows,
+                                                options, impl.options.tolerance);
   impl_->timings.scan_ms += watch.ms();
   return strokes;
 }

@@ -30,8 +30,9 @@ void add_segments(const ProjectedScene& scene, std::vector<SightLine>& lines);
 void add_intersections(const ProjectedScene& scene, const FaceIndex& index,
                        std::vector<SightLine>& lines);
 
-/// Shadow boundaries where shadow ends: between a count of zero and any other, on the receiver.
+/// Where shadow ends on its receivers, whoever casts it; `casting` as in ShadowCaster.
 void add_shadow_outlines(const ProjectedScene& scene, const FaceIndex& index,
-                         const std::vector<Shadow>& shadows, std::vector<SightLine>& lines);
+                         const Canonical& casting, const std::vector<Shadow>& shadows,
+                         std::vector<SightLine>& lines);
 
 }  // namespace overstrike

@@ -27,11 +27,12 @@ class CastOrder final : public LayerOrder {
   int compare(Index f, Index g, double x, double y) const override;
   double crossing(Index f, Index g, double y) const override;
   int enters(Index face) const override;
+  /// The height of a plane that faces the light.
+  DepthPlane height_of(const Plane& plane) const;
 
  private:
   std::size_t number_of(Index face) const;
   const Plane& plane_of(Index face) const { return casting_.planes[casting_.faces[face].plane]; }
-  DepthPlane height_of(const Plane& plane) const;
   ExactPlane exact_height_of(const Plane& plane) const;
 
   const DepthMap& eye_;

@@ -118,7 +118,7 @@ TEST_P(AgainstBruteForce, Agrees) {
   std::vector<SightLine> lines;
   add_edges(projected, {}, lines);
   add_intersections(projected, index, lines);
-  add_shadow_outlines(projected, index, cast_shadows(seen, seen, view), lines);
+  add_shadow_outlines(projected, index, seen, cast_shadows(seen, seen, view), lines);
   add_segments(projected, lines);
   EdgeResolver resolver(projected, index);
   const BruteForce brute(seen, view.eye);
@@ -162,7 +162,7 @@ TEST_P(AgainstBruteForce, ShadowEndsAtItsOutline) {
   const Canonical seen = canonicalize(scene, view, 0.2, warnings);
   const ProjectedScene projected(seen, view);
   std::vector<SightLine> lines;
-  add_shadow_outlines(projected, FaceIndex(projected), cast_shadows(seen, seen, view), lines);
+  add_shadow_outlines(projected, FaceIndex(projected), seen, cast_shadows(seen, seen, view), lines);
   Canonical casters = seen;
   casters.ground_z.reset();
   const BruteForce light(casters, Vec4(*seen.light, 0));

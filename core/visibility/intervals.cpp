@@ -40,6 +40,23 @@ Intervals common(const Intervals& a, const Intervals& b) {
   return result;
 }
 
+Intervals difference(const Intervals& a, const Intervals& b) {
+  std::vector<double> ends;
+  for (const Intervals* const set : {&a, &b})
+    for (const Interval& i : *set) ends.push_back(i.first), ends.push_back(i.second);
+  Intervals result;
+  pair_up(ends, result);
+  unite(result);
+  return result;
+}
+
+void pair_up(std::vector<double>& crossings, Intervals& result) {
+  std::sort(crossings.begin(), crossings.end());
+  result.clear();
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    if (crossings[i] < crossings[i + 1]) result.emplace_back(crossings[i], crossings[i + 1]);
+}
+
 Intervals without(const Interval& whole, const Intervals& holes, double sliver) {
   Intervals result;
   double at = whole.first;

@@ -19,6 +19,12 @@ void unite(Intervals& intervals);
 /// What lies in both sets.
 Intervals common(const Intervals& a, const Intervals& b);
 
+/// What lies in one of the sets and not in the other.
+Intervals difference(const Intervals& a, const Intervals& b);
+
+/// Sets what lies between odd and even of the crossings, which are sorted.
+void pair_up(std::vector<double>& crossings, Intervals& result);
+
 /// What is left of [whole.first, whole.second] outside of `holes`. Holes and gaps no longer than
 /// `sliver` are taken for rounding and closed.
 Intervals without(const Interval& whole, const Intervals& holes, double sliver);

@@ -47,16 +47,7 @@ void OutlineCrossings::cross_loop(const Ruler& ruler, int zero,
 double OutlineCrossings::crossing(const Ruler& ruler, Corner p, Corner q) const {
   if (q.vertex < p.vertex) std::swap(p, q);
   const Vec2 from = scene_.points[p.vertex].xy(), to = scene_.points[q.vertex].xy();
-  if (p.side == 0) return ruler.parameter(from);
-  if (q.side == 0) return ruler.parameter(to);
-  return ruler.parameter(from + (to - from) * (p.side / (p.side - q.side)));
-}
-
-void OutlineCrossings::pair_up(std::vector<double>& crossings, Intervals& result) {
-  std::sort(crossings.begin(), crossings.end());
-  result.clear();
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-    if (crossings[i] < crossings[i + 1]) result.emplace_back(crossings[i], crossings[i + 1]);
+  return ruler.crossing(from, p.side, to, q.side);
 }
 
 }  // namespace overstrike

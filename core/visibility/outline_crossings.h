@@ -25,7 +25,6 @@ class OutlineCrossings {
   };
   double crossing(const Ruler& ruler, Corner p, Corner q) const;
   void cross_loop(const Ruler& ruler, int zero, std::vector<double>& crossings) const;
-  static void pair_up(std::vector<double>& crossings, Intervals& result);
 
   const ProjectedScene& scene_;
   std::vector<Corner> corners_;

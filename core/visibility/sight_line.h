@@ -76,6 +76,13 @@ class Ruler {
     const double bound = length_ * p.error + error_ * (length_ + far) + 4 * kEps * length_ * far;
     return std::fabs(area) <= bound ? 0 : area;
   }
+  /// The parameter at which a side from p to q passes the line; `side_p` and `side_q` are theirs,
+  /// of different sign, or one of them 0.
+  double crossing(const Vec2& p, double side_p, const Vec2& q, double side_q) const {
+    if (side_p == 0) return parameter(p);
+    if (side_q == 0) return parameter(q);
+    return parameter(p + (q - p) * (side_p / (side_p - side_q)));
+  }
 
  private:
   static constexpr double kEps = 0x1p-52;

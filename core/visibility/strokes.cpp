@@ -12,12 +12,12 @@ namespace overstrike {
 namespace {
 
 std::vector<SightLine> candidates(const ProjectedScene& scene, const FaceIndex& index,
-                                  const std::vector<Shadow>& shadows, const StrokeOptions& options,
-                                  double tolerance) {
+                                  const Canonical& casting, const std::vector<Shadow>& shadows,
+                                  const StrokeOptions& options, double tolerance) {
   std::vector<SightLine> lines;
   add_edges(scene, options, lines);
   if (options.intersections) add_intersections(scene, index, lines);
-  if (options.shadow_outlines) add_shadow_outlines(scene, index, shadows, lines);
+  if (options.shadow_outlines) add_shadow_outlines(scene, index, casting, shadows, lines);
   if (options.patterns) add_patterns(scene, tolerance, lines);
   if (options.segments) add_segments(scene, lines);
   return lines;
@@ -63,12 +63,13 @@ std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceInd
 
 }  // namespace
 
-std::vector<Stroke> visible_strokes(const Canonical& seen, const View& view,
-                                    const std::vector<Shadow>& shadows,
+std::vector<Stroke> visible_strokes(const Canonical& casting, const Canonical& seen,
+                                    const View& view, const std::vector<Shadow>& shadows,
                                     const StrokeOptions& options, double tolerance) {
   const ProjectedScene scene(seen, view);
   const FaceIndex index(scene);
-  const std::vector<SightLine> lines = candidates(scene, index, shadows, options, tolerance);
+  const std::vector<SightLine> lines =
+      candidates(scene, index, casting, shadows, options, tolerance);
   return chained(merged(visible_pieces(scene, index, lines, options), view.grid), tolerance);
 }
 

@@ -11,9 +11,9 @@ namespace overstrike {
 
 /// The visible parts of contours, creases, intersections of interpenetrating bodies, shadow
 /// outlines, outlines of cuts, patterns and segments, clipped to the grid, chained into polylines
-/// and simplified within `tolerance` (grid units).
-std::vector<Stroke> visible_strokes(const Canonical& seen, const View& view,
-                                    const std::vector<Shadow>& shadows,
+/// and simplified within `tolerance` (grid units). `casting` is what cast the shadows.
+std::vector<Stroke> visible_strokes(const Canonical& casting, const Canonical& seen,
+                                    const View& view, const std::vector<Shadow>& shadows,
                                     const StrokeOptions& options, double tolerance);
 
 }  // namespace overstrike

@@ -43,7 +43,7 @@ struct Picture {
         seen(canonicalize(scene, view, 0.05, warnings)),
         shadows(cast_shadows(seen, seen, view)) {}
   std::vector<Stroke> strokes(const StrokeOptions& options = {}) const {
-    return visible_strokes(seen, view, shadows, options, 0.05);
+    return visible_strokes(seen, seen, view, shadows, options, 0.05);
   }
   Vec2 at(double x, double y, double z) const { return Vec2(view.project({x, y, z})); }
 
@@ -370,7 +370,8 @@ TEST(Strokes, TurnWithTheGrid) {
     const Picture picture(random_scene(seed, seed % 2 == 0));
     const View quarter = turned(picture.view, 90, {kPage.columns, 0}, 1);
     const auto straight = picture.strokes();
-    const auto sideways = visible_strokes(picture.seen, quarter, picture.shadows, {}, 0.05);
+    const auto sideways =
+        visible_strokes(picture.seen, picture.seen, quarter, picture.shadows, {}, 0.05);
     ASSERT_EQ(straight.size(), sideways.size());
     EXPECT_NEAR(length_of(straight), length_of(sideways), 1e-8);
   }
