@@ -40,11 +40,16 @@ class Surface {
     }
   }
 
-  /// Where it is seen in a plane that the line lies in, on one side at least.
-  Intervals there() const {
+  /// Where it is seen in a plane that the line lies in, on one side at least. A line on one plane
+  /// is not there where but another's edge runs through it.
+  Intervals there(const SightLine& line) const {
+    const bool on_one_plane = line.planes[1] == kNone;
     Intervals result;
-    for (const SolidSight::Part& part : parts_)
-      if (!part.hides) result.push_back(part.over);
+    for (const SolidSight::Part& part : parts_) {
+      if (part.hides) continue;
+      if (on_one_plane && !line.lies_in(canonical_.faces[part.face].plane)) continue;
+      result.push_back(part.over);
+    }
     unite(result);
     return result;
   }
@@ -96,7 +101,7 @@ std::vector<SurfacePart> parts_on_surfaces(const Canonical& canonical, const Sig
   if (one != kNone && one == other) return edges_of({canonical, shown, one}, line, sliver);
   Intervals there{kEverywhere};
   for (const Index solid : line.solids)
-    if (solid != kNone) there = common(there, Surface(canonical, shown, solid).there());
+    if (solid != kNone) there = common(there, Surface(canonical, shown, solid).there(line));
   std::vector<SurfacePart> result;
   for (const Interval& over : there) result.push_back({over, line.kind});
   return result;

@@ -115,5 +115,81 @@ TEST(SolidStrokes, RunWhereWhatIsSeenChangesItsPlane) {
   EXPECT_GT(strokes, 4u * kTrees);
 }
 
+/// What is in shadow: on a plane of the input, or on the ground.
+struct Shade {
+  Index plane;
+  bool shadow;
+};
+
+Shade shade_of(const Picture& picture, const Seen& seen) {
+  if (seen.kind == Kind::cut) return {kNone - 1, false};
+  const bool shadow = seen.kind == Kind::shadow || seen.kind == Kind::ground_shadow;
+  return {seen.face == kNone ? kNone : picture.canonical->faces[seen.face].plane, shadow};
+}
+
+/// Of two points beside one another: one is in shadow, and the other on the same plane is not.
+bool shadow_ends_between(const Picture& picture, const Oracle& oracle, const Vec2& p,
+                         const Vec2& q) {
+  const Shade here = shade_of(picture, oracle.at(p.x, p.y)),
+              there = shade_of(picture, oracle.at(q.x, q.y));
+  return here.plane == there.plane && here.shadow != there.shadow;
+}
+
+/// Where shadow ends on a plane along a level, there is a stroke.
+int shadows_without_strokes(const Picture& picture, const Oracle& oracle, int& ends,
+                            std::string& where) {
+  int missing = 0;
+  for (const auto& [y, runs] : picture.rows)
+    for (const DensityRun& run : runs)
+      for (const double x : {run.x0, run.x1}) {
+        if (x <= kBeside || x >= 32 - kBeside) continue;
+        if (!shadow_ends_between(picture, oracle, {x - kBeside, y}, {x + kBeside, y})) continue;
+        ++ends;
+        if (on_a_stroke(picture, {x, y}, kBeside)) continue;
+        ++missing;
+        where = std::to_string(x) + ", " + std::to_string(y);
+      }
+  return missing;
+}
+
+/// Along a shadow's outline shadow ends on the plane that it lies on.
+int outlines_of_nothing(const Picture& picture, const Oracle& oracle, int& outlines,
+                        std::string& where) {
+  int wrong = 0;
+  for (const Stroke& stroke : picture.strokes) {
+    if (stroke.kind != StrokeKind::shadow_outline) continue;
+    for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
+      const Vec2 a = stroke.points[i], along = stroke.points[i + 1] - a;
+      const double length = glm::length(along);
+      if (length < 64 * kBeside) continue;
+      const Vec2 middle = a + along * 0.381966, across = Vec2(-along.y, along.x) / length * kBeside;
+      const Vec2 p = middle + across, q = middle - across;
+      if (std::min({p.x, q.x, p.y, q.y}) < 0 || std::max(p.x, q.x) > 32 || std::max(p.y, q.y) > 40)
+        continue;
+      ++outlines;
+      if (shadow_ends_between(picture, oracle, p, q)) continue;
+      ++wrong;
+      where = std::to_string(middle.x) + ", " + std::to_string(middle.y);
+    }
+  }
+  return wrong;
+}
+
+TEST(SolidStrokes, OutlineShadowsWhereTheyEndOnAPlane) {
+  int ends = 0, outlines = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make_lit();
+    const Picture picture(scene);
+    const Oracle oracle(*picture.canonical, picture.view);
+    std::string where;
+    EXPECT_EQ(shadows_without_strokes(picture, oracle, ends, where), 0)
+        << "tree " << n << " at " << where;
+    EXPECT_EQ(outlines_of_nothing(picture, oracle, outlines, where), 0)
+        << "tree " << n << " at " << where;
+  }
+  EXPECT_GT(ends, 3 * kTrees);
+  EXPECT_GT(outlines, kTrees);
+}
+
 }  // namespace
 }  // namespace overstrike::oracle
