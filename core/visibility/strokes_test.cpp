@@ -384,5 +384,45 @@ TEST(Strokes, AreTheSameEveryTime) {
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].points, again[i].points);
 }
 
+/// A box with a shaft through it from top to bottom, above the ground.
+TEST(Strokes, TheShadowOfAFrameHasAnOuterAndAnInnerOutline) {
+  Scene scene;
+  scene.camera.from = {0, 90};
+  scene.camera.parallel = true;
+  scene.camera.window_width = 20;
+  scene.camera.look_at = Vec3(0, 0, 0);
+  scene.light = Direction{0, 45};  // shadows fall along -x, as far as things are high
+  scene.ground_z = 0;
+  const auto box = [](const Vec3& size, const Vec3& offset) {
+    Body body;
+    body.shape = std::make_shared<Shape>(Box{size});
+    body.placement.offset = offset;
+    return body;
+  };
+  scene.bodies = {box({4, 4, 1}, {0, 0, 6}), box({2, 2, 3}, {0, 0, 5})};
+  Solid frame;
+  frame.nodes = {
+      {SetOperation::subtract, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}};
+  scene.solids.push_back(frame);
+  const Picture picture(scene);
+  std::vector<Vec2> corners;
+  for (const double y : {-2, 2})
+    for (const double x : {-2 - 7, 2 - 6}) corners.push_back(picture.at(x, y, 0));
+  // Light passes the shaft where it passes both of its mouths.
+  for (const double y : {-1, 1})
+    for (const double x : {-1 - 6, 1 - 7}) corners.push_back(picture.at(x, y, 0));
+  double length = 0;
+  for (const Stroke& stroke : of_kind(picture.strokes(), StrokeKind::shadow_outline))
+    for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+      const Vec2& p = stroke.points[i];
+      EXPECT_TRUE(std::any_of(corners.begin(), corners.end(),
+                              [&](const Vec2& c) { return glm::length(p - c) < 1e-9; }))
+          << p.x << ", " << p.y;
+      if (i > 0) length += glm::length(p - stroke.points[i - 1]);
+    }
+  const double cell = 100.0 / 20;
+  EXPECT_NEAR(length, cell * (2 * (4 + 5) + 2 * (2 + 1)), 1e-9);
+}
+
 }  // namespace
 }  // namespace overstrike
