@@ -160,11 +160,24 @@ void SolidRows::resolve_dirty(double y) {
   }
 }
 
+/// The sweep begins where the span before a node ends, or where the order there is in doubt, as
+/// many spans before that as it takes. The node after it is the result.
+std::size_t SolidRows::begin_before(std::size_t at, double y) {
+  sweep_.begin(expression_, order_, y, table_.columns);
+  while (at > 0) {
+    std::size_t left = at - 1;
+    while (left > 0 && !node(left - 1).has_span) --left;
+    if (sweep_.resume(node(at - 1).active, x_[left], x_[at])) return at;
+    sweep_.begin(expression_, order_, y, table_.columns);
+    at = left;
+  }
+  return at;
+}
+
 /// Goes over spans as passing.h has it, from a node that meets the level apart from those before
 /// it, until a node is reached that is as it was. Its number is the result.
-std::size_t SolidRows::resolve_from(std::size_t first, double y) {
-  sweep_.begin(expression_, order_, y, table_.columns);
-  if (first > 0) sweep_.resume(node(first - 1).active);
+std::size_t SolidRows::resolve_from(std::size_t touched, double y) {
+  std::size_t first = begin_before(touched, y);
   double slack = node(first).line.slack;
   for (std::size_t at = first;; ++at) {
     Node& n = node(at);
@@ -181,7 +194,8 @@ std::size_t SolidRows::resolve_from(std::size_t first, double y) {
       const double carried = slack - (x_[at + 1] - x_[first]);
       slack = std::max<double>(next.line.slack, carried);
       first = at + 1;
-      if (carried < 0 && goes_on_as_before(first, node(at).active)) return first;
+      // It may have begun left of what is touched.
+      if (carried < 0 && first > touched && goes_on_as_before(first, node(at).active)) return first;
     } else {
       slack = std::max<double>(slack, next.line.slack);
     }

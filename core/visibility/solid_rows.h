@@ -77,7 +77,8 @@ class SolidRows {
   void evaluate(Node& n, double y) const;
   bool before(std::size_t at, std::size_t other);
   void resolve_dirty(double y);
-  std::size_t resolve_from(std::size_t first, double y);
+  std::size_t begin_before(std::size_t at, double y);
+  std::size_t resolve_from(std::size_t touched, double y);
   void resolve_span(std::size_t left, std::size_t right, double slack, double y);
   bool goes_on_as_before(std::size_t at, const std::vector<Index>& active);
   void keep_clamped(Node& n, double y) const;

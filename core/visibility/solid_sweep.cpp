@@ -38,7 +38,7 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
   order_ = &order;
   y_ = y, reach_ = reach;
   layers_.clear(), passed_.clear(), at_end_.clear();
-  ends_ = resumed_ = false;
+  ends_ = false;
 }
 
 void SolidSweep::end_at_layer() {
@@ -56,9 +56,31 @@ void SolidSweep::end_at_layer() {
   ends_ = true;
 }
 
-void SolidSweep::resume(std::span<const Index> faces) {
-  for (const Index face : faces) layers_.push_back(layer_of(face));
-  resumed_ = true;
+bool SolidSweep::resume(std::span<const Index> faces, double x0, double x1) {
+  // So wide that what crosses within an end's doubt does not reach the middle.
+  constexpr double kWide = 4 * kCrossingError;
+  const double middle = x1 - x0 > kWide ? x0 + (x1 - x0) / 2 : x1;
+  layers_.clear();
+  for (const Index face : faces) {
+    layers_.push_back(layer_of(face));
+    layers_.back().fresh = false;
+    for (std::size_t at = layers_.size() - 1;
+         at > 0 && was_before(layers_[at], layers_[at - 1], middle, x1); --at)
+      std::swap(layers_[at], layers_[at - 1]);
+  }
+  for (std::size_t i = 0; i + 1 < layers_.size(); ++i)
+    if (layers_[i].plane != layers_[i + 1].plane &&
+        !was_before(layers_[i], layers_[i + 1], middle, x1))
+      return false;
+  return true;
+}
+
+/// Surely so at the end of a span, or where that is in doubt, in its middle.
+bool SolidSweep::was_before(const Layer& a, const Layer& b, double middle, double end) const {
+  if (a.plane == b.plane) return false;
+  bool sharp = false;
+  const int side = compare_at(a, b, end, sharp);
+  return side > 0 || (side == 0 && sharp && compare_at(a, b, middle, sharp) > 0);
 }
 
 void SolidSweep::copy_active(std::vector<Index>& faces) const {
@@ -179,8 +201,7 @@ void SolidSweep::toggle_at_end(Index face) {
 void SolidSweep::settle(double low, double high) {
   low_ = low, high_ = high, ++settlings_;
   entering_.clear();
-  bool any_fresh = resumed_;
-  resumed_ = false;
+  bool any_fresh = false;
   for (const auto& [f, g] : passed_) {
     if (g == kNone) {
       toggle(f);

@@ -53,8 +53,10 @@ class SolidSweep {
              const SolidExpression* uncut = nullptr);
   /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
   void end_at_layer();
-  /// As if edges had been passed so that these faces are active; in any order.
-  void resume(std::span<const Index> faces);
+  /// Begins where a span from `x0` to `x1` has ended over which these faces were active, given in
+  /// any order. False when doubles cannot tell their order there: what may cross at a span's end
+  /// keeps the order from before it, which the spans on the left know.
+  bool resume(std::span<const Index> faces, double x0, double x1);
   /// The active faces.
   void copy_active(std::vector<Index>& faces) const;
   /// Spans are recorded there (null: not).
@@ -102,6 +104,7 @@ class SolidSweep {
   void settle(double low, double high);
   void forget_last_span();
   void forget_seen();
+  bool was_before(const Layer& a, const Layer& b, double middle, double end) const;
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void toggle_at_end(Index face);
@@ -132,7 +135,6 @@ class SolidSweep {
   std::uint64_t settlings_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
-  bool resumed_ = false;       ///< in any order
   SpanRecord* record_ = nullptr;
   bool ends_ = false;          ///< one of them is kEnd
   std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it

@@ -42,6 +42,18 @@ void expect_threads_agree(const Prepared& prepared) {
   expect(draw_cells(one) == draw_cells(two), "two threads draw the cells that one draws");
 }
 
+/// Lines so near to one another that much is kept from line to line.
+void expect_keeping_changes_nothing(const Prepared& prepared) {
+  constexpr ScanFamily kNear{0, 1.0 / 16, 1.0 / 32};
+  Drawing keeping = prepared.drawing(), anew = prepared.drawing(1, Coherence::span_and_behind);
+  const auto a = draw_lines(keeping, kNear), b = draw_lines(anew, kNear);
+  expect(a.size() == b.size(), "both draw all lines");
+  for (std::size_t i = 0; i < a.size(); ++i)
+    expect(std::equal(a[i].runs.begin(), a[i].runs.end(), b[i].runs.begin(), b[i].runs.end(),
+                      same_bits),
+           "what is kept from line to line is what lines show by themselves");
+}
+
 std::string text_of(const DrawnLine& line) {
   std::string text;
   char number[64];
@@ -117,6 +129,7 @@ void try_all(const TinyScene& tiny) {
   draw_cells(drawing);
   draw_strokes(drawing, tiny.scene.bodies.size());
   expect_jump_equals_step(drawing, rows);
+  if (!tiny.scene.solids.empty()) expect_keeping_changes_nothing(prepared);
   if (tiny.asked.threads) expect_threads_agree(prepared);
   if (tiny.asked.order) expect_order_does_not_count(tiny.scene, rows);
   if (tiny.asked.means) expect_means(drawing, place_error_of(*prepared.canonical, prepared.view));

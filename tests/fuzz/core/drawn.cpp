@@ -92,10 +92,11 @@ Prepared::Prepared(const Scene& scene) : view(make_view(scene, kGrid)) {
   canonical = std::make_shared<const Canonical>(canonicalize(scene, view, kTolerance, warnings));
 }
 
-Drawing Prepared::drawing(int threads) const {
+Drawing Prepared::drawing(int threads, Coherence coherence) const {
   DrawOptions options;
   options.tolerance = kTolerance;
   options.threads = threads;
+  options.coherence = coherence;
   return Drawing(canonical, view, options);
 }
 

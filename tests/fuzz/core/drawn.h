@@ -16,7 +16,7 @@ constexpr double kTolerance = 0.05;
 /// A scene's view and canonical input, made once for all that is drawn of it.
 struct Prepared {
   explicit Prepared(const Scene& scene);
-  Drawing drawing(int threads = 1) const;
+  Drawing drawing(int threads = 1, Coherence coherence = Coherence::all) const;
 
   View view;
   std::shared_ptr<const Canonical> canonical;
