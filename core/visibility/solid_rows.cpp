@@ -49,20 +49,21 @@ void SolidRows::restart() {
   y_ = -HUGE_VAL, band_ = nullptr;
 }
 
-/// Sets the line that the node is on at the level.
-void SolidRows::evaluate(Node& n, double y) const {
-  if (table_.windows.empty()) return;
+/// Sets the line that the node is on at the level. True when that is another than before.
+bool SolidRows::evaluate(Node& n, double y) const {
+  if (table_.windows.empty()) return false;
   const LevelLine& line = edges_[n.edge].line;
   const Index body = table_.canonical.faces[n.faces[0]].body;
   const GridWindow& in = table_.windows[body];
   const double x = line.x_at(y), clamped = std::clamp(x, in.x0, in.x1);
   const double to = clamped == x ? kNotClamped : clamped;
   const bool same = to == n.clamped_to || (std::isnan(to) && std::isnan(n.clamped_to));
-  if (same && n.until > y) return;
+  if (same) return false;
   n.dirty = true, n.clamped_to = to;
   n.line = clamped == x ? SlackLine{line.x0, line.y0, n.line.y1, line.slope,
                                     static_cast<float>(table_.bodies[body].line_error.of(line))}
                         : SlackLine{clamped, line.y0, n.line.y1, 0, 0};
+  return true;
 }
 
 /// Takes out nodes that the level does not meet any more. What is next to them is touched.
@@ -78,7 +79,8 @@ void SolidRows::drop_ended(double y) {
       touched = true;
       continue;
     }
-    evaluate(n, y);
+    // The span before it ends on another line then.
+    if (evaluate(n, y) && kept > 0) node(kept - 1).dirty = true;
     n.dirty = n.dirty || touched || n.until <= y;
     touched = false;
     order_line_[kept++] = i;

@@ -74,7 +74,7 @@ class SolidRows {
   void put_in_order();
   void add_started(double y, std::span<const LevelBands::Item> near);
   Index new_node(Index edge);
-  void evaluate(Node& n, double y) const;
+  bool evaluate(Node& n, double y) const;
   bool before(std::size_t at, std::size_t other);
   void resolve_dirty(double y);
   std::size_t begin_before(std::size_t at, double y);
