@@ -48,13 +48,17 @@ std::string read_stdin() {
   }
 }
 
+void check_definitions(const std::string& scene, const std::vector<std::string>& definitions) {
+  if (!definitions.empty() && !is_program(scene))
+    throw UsageError("-D is for OpenSCAD programs (.scad)");
+}
+
 ReadResult read_scene_argument(const std::string& scene, const std::string& format,
                                const std::vector<std::string>& definitions) {
+  check_definitions(scene, definitions);
   if (scene != "-") {
     if (!format.empty())
       throw UsageError("--format is for standard input; a file's extension says what it is");
-    if (!definitions.empty() && !is_program(scene))
-      throw UsageError("-D is for OpenSCAD programs (.scad)");
     return read_scene(scene, definitions);
   }
   const auto known = scene_formats();

@@ -20,6 +20,9 @@ void say_warnings(std::span<const Diagnostic> warnings);
 bool stdout_is_terminal();
 bool stderr_is_terminal();
 
+/// Throws UsageError where they are given for what is no OpenSCAD program.
+void check_definitions(const std::string& scene, const std::vector<std::string>& definitions);
+
 /// A scene of a file or of standard input (`-`; `format` is then an extension without its dot,
 /// empty for yaml; `definitions` are for OpenSCAD). Throws InputError, UsageError (a format given
 /// for a file, or an unknown one).

@@ -91,7 +91,7 @@ Exit status: 1 the terminal failed, 2 bad usage or no such file, 130 ended.)"},
      R"(Examples:
   overstrike emulate line-printer page.txt -o page.png --lpi 8
   overstrike emulate plotter sheet.hpgl -o sheet.pdf)"},
-    {"check", "check SCENE [--format FORMAT]",
+    {"check", "check SCENE [--format FORMAT] [-D NAME=VALUE]",
      "Read a scene, name everything that is wrong with it, and say what is in it.",
      R"(Examples:
   overstrike check scene.yaml

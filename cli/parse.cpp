@@ -64,9 +64,9 @@ void set_option(CLI::App* app, std::vector<std::string>& sets) {
 }
 
 /// -D name=value, any number of times.
-void define_option(CLI::App* app, std::vector<std::string>& definitions) {
+CLI::Option* define_option(CLI::App* app, std::vector<std::string>& definitions) {
   const OptionHelp& help = option_help("-D,--define");
-  app->add_option(std::string(help.names), definitions, std::string(help.meaning))
+  return app->add_option(std::string(help.names), definitions, std::string(help.meaning))
       ->type_name(std::string(help.value))
       ->group(std::string(help.group))
       ->allow_extra_args(false);
@@ -163,6 +163,7 @@ void add_watch(CLI::App& app, Words& w) {
   text_option(sub, option_help("--size"), w.named[0]);
   set_option(sub, w.render_sets);
   add_scene_options(sub, w.changes);
+  define_option(sub, w.render.definitions);
   text_option(sub, option_help("--method"), w.method);
   text_option(sub, option_help("--tolerance"), w.tolerance);
   text_option(sub, option_help("--threads"), w.threads);
@@ -192,6 +193,7 @@ void add_check(CLI::App& app, Words& w) {
   add_positional(sub, "SCENE", "scene or mesh file, or - for standard input", w.check.scene);
   text_option(sub, {"--format", "FORMAT", "format of standard input (default yaml)", "Options"},
               w.check.format);
+  define_option(sub, w.check.definitions)->group("Options");
 }
 
 void add_devices(CLI::App& app, Words& w) {

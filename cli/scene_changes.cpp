@@ -186,7 +186,7 @@ void apply(const SceneChanges& c, Scene& scene) {
   }
   apply_camera(c, scene.camera);
   apply_window(c, scene.camera);
-  if (c.light || c.no_light) scene.light = c.light;
+  if (c.light || c.no_light) scene.light = c.light, scene.light_beside_eye = false;
   if (c.ground_z || c.no_ground) scene.ground_z = c.ground_z;
   if (c.k) scene.law.k = *c.k;
   if (c.hmax) scene.law.hmax = *c.hmax;

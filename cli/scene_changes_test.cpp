@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cli/usage.h"
 
 namespace overstrike {
@@ -102,6 +104,55 @@ TEST(SceneChanges, WindowsReplaceEachOther) {
   EXPECT_TRUE(c.parallel && !c.window_width && !c.fov_deg);
   const Camera d = changed(Scene{}, with(&Texts::parallel, "fit")).camera;
   EXPECT_TRUE(d.parallel && !d.window_width && !d.fov_deg);
+}
+
+TEST(SceneChanges, NoLightIsNoneBesideTheEyeEither) {
+  Scene scene;
+  scene.light_beside_eye = true;
+  EXPECT_TRUE(changed(scene, {}).light_beside_eye);
+  EXPECT_FALSE(changed(scene, with(&Texts::no_light)).light_beside_eye);
+  EXPECT_FALSE(changed(scene, light("10,20")).light_beside_eye);
+}
+
+void expect_near(const Vec3& found, const Vec3& expected) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
+}
+
+// What is looked at, turns, distance: nothing turned is from above, and y is up.
+TEST(SceneChanges, OpenscadsCameraOfSevenNumbers) {
+  const Camera above = changed({}, with(&Texts::camera, "1,2,3,0,0,0,10")).camera;
+  expect_near(*above.target, {1, 2, 3});
+  expect_near(*above.eye, {1, 2, 13});
+  expect_near(above.up, {0, 1, 0});
+  EXPECT_EQ(above.fov_deg, 22.5);
+  EXPECT_FALSE(above.parallel);
+  const Camera front = changed({}, with(&Texts::camera, "0,0,0,90,0,0,4")).camera;
+  expect_near(*front.eye, {0, -4, 0});
+  expect_near(front.up, {0, 0, 1});
+  const Camera right = changed({}, with(&Texts::camera, "0,0,0,90,0,90,4")).camera;
+  expect_near(*right.eye, {4, 0, 0});
+  const Camera rolled = changed({}, with(&Texts::camera, "0,0,0,90,30,0,4")).camera;
+  expect_near(rolled.up, {0.5, 0, std::sqrt(0.75)});
+  const Texts flat = with(&Texts::projection, "o", with(&Texts::camera, "0,0,0,55,0,25,140"));
+  EXPECT_TRUE(changed({}, flat).camera.parallel);
+}
+
+TEST(SceneChanges, OpenscadsCameraOfSixNumbers) {
+  const Camera camera = changed({}, with(&Texts::camera, "1,-2,3,0,0,1")).camera;
+  EXPECT_EQ(camera.eye, Vec3(1, -2, 3));
+  EXPECT_EQ(camera.target, Vec3(0, 0, 1));
+  EXPECT_EQ(camera.up, Vec3(0, 0, 1));
+  EXPECT_EQ(changed({}, with(&Texts::camera, "1,2,9,1,2,3")).camera.up, Vec3(0, 1, 0));
+  EXPECT_EQ(changed({}, with(&Texts::camera, "1,2,-9,1,2,3")).camera.up, Vec3(0, -1, 0));
+}
+
+TEST(SceneChanges, OpenscadsCameraIsRefusedWhereItIsNone) {
+  const std::string expected =
+      "--camera: expected X,Y,Z,ROTX,ROTY,ROTZ,DISTANCE or EYEX,EYEY,EYEZ,X,Y,Z as OpenSCAD "
+      "writes them, found ";
+  for (const std::string text : {"1,2,3", "1,2,3,1,2,3", "0,0,0,0,0,0,0", "0,0,0,0,0,0,-1",
+                                 "0,0,0,0,0,0,1,2", "0,0,0,a,0,0,1"})
+    EXPECT_EQ(error_of(with(&Texts::camera, text)), expected + "'" + text + "'");
 }
 
 TEST(SceneChanges, ErrorsNameTheOptionAndWhatWasExpected) {

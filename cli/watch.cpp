@@ -75,7 +75,7 @@ class Watcher {
     start_ = Clock::now();
     errors_.clear();
     try {
-      ReadResult read = read_scene_argument(command_.scene, {});
+      ReadResult read = read_scene_argument(command_.scene, {}, command_.definitions);
       files_.clear();
       for (const Body& body : read.scene.bodies)
         if (const Mesh* mesh = std::get_if<Mesh>(body.shape.get()); mesh && !mesh->source.empty())
@@ -146,6 +146,7 @@ int run(const WatchCommand& command) {
   if (command.render.scene == "-")
     throw UsageError("SCENE must be a file: standard input cannot be saved anew");
   if (!stdout_is_terminal()) throw UsageError("standard output must be a terminal");
+  check_definitions(command.render.scene, command.render.definitions);
   if (!std::filesystem::exists(command.render.scene)) read_scene_argument(command.render.scene, {});
   return Watcher(command.render).run();
 }

@@ -95,6 +95,8 @@ struct Scene {
   std::vector<Segment> segments;
   Camera camera;
   std::optional<Direction> light;
+  /// Without a light of its own: one that follows the eye, from above and right of it.
+  bool light_beside_eye = false;
   std::optional<double> ground_z;
   DensityLaw law;
   std::string source;  ///< the file it was read from, for messages

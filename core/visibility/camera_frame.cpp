@@ -17,6 +17,11 @@ constexpr double kDefaultDiameters = 3;
 /// Default near distance as a part of the distance.
 constexpr double kDefaultNear = 1.0 / 1000;
 
+/// Scene::light_beside_eye, for one unit towards the eye. The light is 35 degrees from the line of
+/// sight, so that most of what is seen is lit, and farther up than to the right: the three faces of
+/// a box get tones of their own.
+constexpr double kLightRight = 0.4, kLightUp = 0.57;
+
 /// The axes for looking along -back.
 void aim(CameraFrame& frame, const Vec3& up) {
   Vec3 right = glm::cross(unit(up), frame.back);
@@ -128,6 +133,12 @@ CameraFrame camera_frame(const Camera& camera, const Stage& stage) {
   }
   frame.near_distance = camera.near_distance.value_or(frame.distance * kDefaultNear);
   return frame;
+}
+
+std::optional<Vec3> light_of(const Scene& scene, const CameraFrame& frame) {
+  if (scene.light) return unit_vector(*scene.light);
+  if (!scene.light_beside_eye) return std::nullopt;
+  return unit(frame.back + frame.right * kLightRight + frame.up * kLightUp);
 }
 
 }  // namespace overstrike

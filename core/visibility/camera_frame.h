@@ -55,4 +55,7 @@ inline Affine from_origin(const Affine& placement, const Vec3& origin) {
 /// sight gives way to +Y, or to +Z when that is the line of sight.
 CameraFrame camera_frame(const Camera& camera, const Stage& stage);
 
+/// The unit vector to the scene's light; none when it has none.
+std::optional<Vec3> light_of(const Scene& scene, const CameraFrame& frame);
+
 }  // namespace overstrike

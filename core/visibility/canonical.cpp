@@ -79,7 +79,8 @@ class Assembler {
       out_.segments.push_back({s.from - view.origin, s.to - view.origin, s.pen});
     out_.law = scene.law;
     if (scene.ground_z) out_.ground_z = *scene.ground_z - view.origin.z;
-    if (scene.light) out_.light = unit_vector(*scene.light);
+    if (scene.light || scene.light_beside_eye)
+      out_.light = light_of(scene, camera_frame(scene.camera, stage_of(scene)));
     for (const Body& body : scene.bodies)
       any_smooth_ = any_smooth_ || body.shading == Shading::smooth;
     bodies_ = placed_.all();

@@ -29,10 +29,10 @@ class Fitter {
     if (!sees_ground_from_above(scene, frame)) return;
     ground_ = *scene.ground_z - frame.origin.z;
     above_only_ = above_only;
-    if (!scene.light || !(scene.light->elevation_deg >= kLowestFittedLight)) return;
-    const Vec3 light = unit_vector(*scene.light);
-    shadows_ = light.z > 0;
-    slide_ = light / light.z;
+    const std::optional<Vec3> light = light_of(scene, frame);
+    if (!light || !(light->z >= sin_deg(kLowestFittedLight))) return;
+    shadows_ = light->z > 0;
+    slide_ = *light / light->z;
   }
 
   bool in_front(const Vec3& p) const {

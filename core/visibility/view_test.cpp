@@ -7,6 +7,7 @@
 
 #include "core/geometry/direction.h"
 #include "core/geometry/tessellate.h"
+#include "core/visibility/camera_frame.h"
 
 namespace overstrike {
 namespace {
@@ -48,6 +49,26 @@ TEST(UnitVector, IsExactAtQuarterTurns) {
   EXPECT_EQ(unit_vector({-90, 0}), Vec3(0, -1, 0));
   EXPECT_EQ(unit_vector({37, 90}), Vec3(0, 0, 1));
   EXPECT_EQ(unit_vector({0, 30}).z, 0.5);
+}
+
+/// The light beside the eye goes with the camera, and three faces of a box that it sees are lit,
+/// each in a tone of its own.
+TEST(LightOf, FollowsTheEyeWhereTheSceneHasNone) {
+  Scene scene = boxes(3, 1);
+  const auto light = [&] { return light_of(scene, camera_frame(scene.camera, stage_of(scene))); };
+  EXPECT_EQ(light(), std::nullopt);
+  scene.light_beside_eye = true;
+  for (const double azimuth : {-65.0, 25.0, 115.0}) {
+    scene.camera.from = {azimuth, 35};
+    const Vec3 right = unit_vector({azimuth + 65, 0}), front = unit_vector({azimuth - 25, 0});
+    const Vec3 found = light().value();
+    EXPECT_NEAR(glm::length(found), 1, 1e-15);
+    EXPECT_GT(glm::dot(found, front), 0.15);
+    EXPECT_GT(glm::dot(found, right), glm::dot(found, front) + 0.15);
+    EXPECT_GT(found.z, glm::dot(found, right) + 0.15);
+  }
+  scene.light = Direction{10, 20};
+  EXPECT_EQ(light(), unit_vector({10, 20}));
 }
 
 /// Also where what the camera looks at lies half way between two places that origins have.

@@ -33,6 +33,7 @@ ReadResult read_scene(std::string_view text, const std::string& name,
   ReadResult result;
   result.scene.source = name;
   result.scene.camera.from = kFirstLook;
+  result.scene.light_beside_eye = true;
   add_bodies(tree, nodes, shapes, reporter, result.scene);
   check_shapes(result.scene);
   result.warnings = reporter.warnings();

@@ -145,6 +145,12 @@ TEST(Csg, ConsumersRefuseWhatHasNoSurface) {
       HasSubstr("'minkowski' cannot be drawn: an operand is not convex"));
 }
 
+TEST(Csg, LightGoesWithTheEye) {
+  const Scene scene = scene_of("cube();");
+  EXPECT_TRUE(scene.light_beside_eye);
+  EXPECT_FALSE(scene.light);
+}
+
 TEST(Csg, UnionsFallApartAndDifferencesAreSolids) {
   const Scene scene = scene_of(
       "group() { cube(); union() { sphere(); } difference() { cube(); group(); cylinder(); } }"
