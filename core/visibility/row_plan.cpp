@@ -128,7 +128,7 @@ void RowPlanner::collect_edges(double y) {
     const std::span<const LevelBands::Item> of_body = edges.subspan(first, end - first);
     first = end;
     plan_->until = plan_->from;
-    if (is_kept(body)) {
+    if (is_kept(body) && rows_of(body).is_worth_while()) {
       collect_kept_solid(body, y, of_body);
       continue;
     }
@@ -141,14 +141,18 @@ void RowPlanner::collect_edges(double y) {
   }
 }
 
-void RowPlanner::collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges) {
+SolidRows& RowPlanner::rows_of(Index body) {
   const Index solid = body - table_.fronts.solid_body(0);
   if (solids_.empty()) solids_.resize(table_.fronts.canonical.solids.size());
   if (!solids_[solid])
     solids_[solid] =
         std::make_unique<SolidRows>(table_.fronts, faces_, table_.loose, solid, table_.solids);
+  return *solids_[solid];
+}
+
+void RowPlanner::collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges) {
   solid_pieces_.clear();
-  solids_[solid]->on_level(y, edges, solid_pieces_);
+  rows_of(body).on_level(y, edges, solid_pieces_);
   const std::size_t first = sides_->size();
   append_sides(solid_pieces_, *sides_);
   add_stretches(body, first);

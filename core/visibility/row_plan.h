@@ -105,6 +105,7 @@ class RowPlanner {
   void collect_front(Index body, double y);
   void collect_loose(Index body, double y);
   void collect_edges(double y);
+  SolidRows& rows_of(Index body);
   void collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges);
   void add_stretches(Index body, std::size_t first);
   void drop_hidden();

@@ -11,7 +11,7 @@ namespace overstrike {
 
 /// A sum of products has few elements while it has no more than the tree has leaves: each operand
 /// that is entered or left then changes no more counters than in the tree, where those of the terms
-/// above may change besides (docs/solids.md has the measurement).
+/// above may change besides. By counting, not by measuring.
 constexpr std::size_t kFewElementsPerLeaf = 1;
 
 /// The canonical input's solids in the form asked for, translucent as they are or as is given;

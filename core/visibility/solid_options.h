@@ -18,7 +18,8 @@ enum class BooleanForm : std::uint8_t { automatic, tree, products };
 /// is known from line to line besides.
 enum class Coherence : std::uint8_t { none, span, span_and_behind, all };
 
-/// The work on solids. It hangs on the lines that were resolved, not on the threads that did.
+/// The work on solids. Without `all` it hangs on the lines that were resolved, not on the threads
+/// that did.
 struct SolidCounts {
   std::uint64_t spans = 0;      ///< that were looked at
   std::uint64_t crossings = 0;  ///< of two layers within a span

@@ -58,7 +58,8 @@ Affine affine(const aiMatrix4x4& m) {
 
 Vec3 vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// glTF and X3D are Y up, 3MF and AMF are not; Collada and 3DS are turned so by Assimp; FBX says it itself.
+/// glTF and X3D are Y up, 3MF and AMF are not; Collada and 3DS are turned so by Assimp; FBX says it
+/// itself.
 bool is_y_up(const aiScene& scene, const std::string& format) {
   constexpr int kY = 1;
   int up = kY;

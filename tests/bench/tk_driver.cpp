@@ -55,8 +55,7 @@ int main() {
   try {
     overstrike::bench::measure_all();
   } catch (const overstrike::InputError& error) {
-    for (const auto& diagnostic : error.diagnostics())
-      std::cerr << to_string(diagnostic) << "\n";
+    for (const auto& diagnostic : error.diagnostics()) std::cerr << to_string(diagnostic) << "\n";
     return 2;
   }
   return 0;

@@ -28,8 +28,8 @@ struct Node {
   const Node& value(std::size_t i) const { return *items[2 * i + 1]; }
 };
 
-/// Deeper nesting than this is refused, so that walks may recurse: a chain of 200 differences is 403
-/// levels, and yaml-cpp itself goes no deeper than 500.
+/// Deeper nesting than this is refused, so that walks may recurse: a chain of 200 differences is
+/// 403 levels, and yaml-cpp itself goes no deeper than 500.
 constexpr int kDeepest = 480;
 /// More values than this, with aliases followed, are refused: about a gigabyte of nodes.
 constexpr std::size_t kMostValues = 4'000'000;
