@@ -14,10 +14,10 @@ constexpr double kNotClamped = std::numeric_limits<double>::quiet_NaN();
 /// comparison is with the sum of both.
 /// What a resolved span costs in all, in spans of a level that is resolved by itself: by measuring
 /// nine prisms on 128 to 4096 levels.
-constexpr double kPrice = 8;
-/// So many levels' spans may be lost by trying.
-constexpr double kMostLost = 2;
-constexpr int kLeastRest = 8, kMostRest = 64;
+constexpr double kPrice = 4;
+/// So many levels' spans may be lost by trying, the first level's among them, and are saved up.
+constexpr double kMostLost = 4;
+constexpr int kLeastRest = 8, kMostRest = 256;
 
 constexpr double kApart = 8, kTogether = 1.0 / 4, kSlacksAlike = 4;
 
@@ -37,7 +37,6 @@ void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
                          std::vector<SpanPiece>& pieces) {
   if (!(y >= y_)) restart();
   step_ = y - y_, resolved_ = 0;
-  const bool is_first = order_line_.empty();
   const bool starts = near.data() != band_ || y >= next_start_;
   if (starts || y >= next_due_) {
     drop_ended(y);
@@ -46,7 +45,7 @@ void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
     resolve_dirty(y);
     note_shown();
   }
-  if (!is_first) learn();
+  learn();
   y_ = y, band_ = near.data();
   for (const Shown& shown : shown_) show(shown, y, pieces);
 }
@@ -58,12 +57,12 @@ bool SolidRows::is_worth_while() {
   return true;
 }
 
-/// What was kept pays for what was resolved. After a rest that did not help the next one is longer.
+/// What was kept pays for what was resolved. Until that has paid, each rest is longer than the one
+/// before.
 void SolidRows::learn() {
   const auto spans = static_cast<double>(order_line_.size());
   credit_ += spans - kPrice * static_cast<double>(resolved_);
-  credit_ = std::min(credit_, kMostLost * spans);
-  if (credit_ > 0) next_rest_ = kLeastRest;
+  if (credit_ > kMostLost * spans) credit_ = kMostLost * spans, next_rest_ = kLeastRest;
   if (credit_ >= -kMostLost * spans) return;
   levels_to_rest_ = std::max(next_rest_, kLeastRest);
   next_rest_ = std::min(2 * levels_to_rest_, kMostRest);
