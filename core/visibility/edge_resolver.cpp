@@ -23,8 +23,10 @@ std::vector<VisiblePart> EdgeResolver::visible(const SightLine& line) {
   solids_.clear(), shown_.clear();
   if (scene_.has_ground() && !line.lies_in(scene_.ground())) hide_below_ground(line);
   const double za = line.a.grid.at.z, zb = line.b.grid.at.z;
-  const double behind =
-      std::min(za, zb) - std::max(line.a.grid.depth_error, line.b.grid.depth_error);
+  // What reaches as near as the line is asked for: a solid's faces that lie in it say where it is
+  // an edge. The errors may be 0.
+  const double behind = std::nextafter(
+      std::min(za, zb) - std::max(line.a.grid.depth_error, line.b.grid.depth_error), -HUGE_VAL);
   const auto covers = [&](const Intervals& intervals) {
     return !intervals.empty() && intervals.back().first <= page.first &&
            intervals.back().second >= page.second;

@@ -47,11 +47,12 @@ def cups(leaves):
 
 
 class Trees(CommandTest):
-    def drawn(self, text):
-        """The page, and what it took."""
+    def drawn(self, text, coherence="span+behind"):
+        """The page, and what it took. What lines keep of one another hangs on how long it lasts, and
+        not on the tree alone: laws of trees are held on lines by themselves."""
         (self.folder / "tree.yaml").write_text(text, encoding="utf-8")
         code, page, error = overstrike("render", "tree.yaml", "-d", "line-printer", "-o", "-", "--size", "100x50",
-                                       "--threads", "1", "--timings=json", folder=self.folder)
+                                       "--threads", "1", "--coherence", coherence, "--timings=json", folder=self.folder)
         self.assertEqual(code, 0, error)
         timings = json.loads(error.splitlines()[-1])
         return page, timings["solids"], timings["peak_bytes"]
@@ -66,6 +67,9 @@ class Trees(CommandTest):
                 self.assertLess(whole[what], 4.5 * half[what] * pictures, (chain.__name__, what))
             # A chain never tells all of itself of one operand.
             self.assertLess(whole["updates"], 4 * whole["flips"], chain.__name__)
+            kept_page, kept, _ = self.drawn(chain(200), "all")
+            self.assertEqual(kept_page, page)
+            self.assertLess(kept["flips"], whole["flips"], chain.__name__)
             self.assertLess(peak, 50e6)
 
     def test_a_tree_of_100_000_leaves_costs_what_its_lines_meet(self):

@@ -101,6 +101,14 @@ int strokes_on_nothing(const Picture& picture, const Oracle& oracle, std::string
   return wrong;
 }
 
+/// An edge of which no coordinate has an error: its faces reach as near as it does, and no nearer.
+TEST(SolidStrokes, AnEdgeAtTheOriginIsSeen) {
+  const Picture picture(TreeMaker(1825).make());
+  const Oracle oracle(*picture.canonical, picture.view);
+  std::string where;
+  EXPECT_EQ(runs_without_strokes(picture, oracle, where), 0) << where;
+}
+
 TEST(SolidStrokes, RunWhereWhatIsSeenChangesItsPlane) {
   std::size_t strokes = 0;
   for (int n = 0; n < kTrees; ++n) {
