@@ -55,39 +55,36 @@ void LooseResolver::add(const LooseEdge& edge, double y) {
   passing_.push_back(passing);
 }
 
-void LooseResolver::resolve(Index body, double y, std::vector<RowSide>& sides) {
+void LooseResolver::resolve(Index body, double y, std::vector<SpanPiece>& pieces) {
   if (passing_.empty()) return;
   sort_passing(passing_);
-  pieces_.clear();
+  const auto over = [](double x0, double x1, double slack0, double slack1) {
+    return SpanPiece{x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)};
+  };
   if (body > table_.ground_body()) {
     const CanonicalSolid& solid = *table_.canonical.solids[body - table_.solid_body(0)];
     solid_.begin(solid.expression, order_, y, table_.columns,
                  solid.uncut ? &solid.uncut->expression : nullptr);
     sweep(
         passing_, [&](const auto& faces) { solid_.pass(faces); },
-        [&](double x0, double x1, double slack0, double slack1) {
-          solid_.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
-                      pieces_, cut_away_);
-        });
+        [&](auto... ends) { solid_.span(over(ends...), pieces, cut_away_); });
   } else {
     sweep(
         passing_, [&](const auto& faces) { active_.pass(faces); },
-        [&](double x0, double x1, double slack0, double slack1) {
-          span(x0, x1, y, slack0, slack1);
-        });
+        [&](auto... ends) { span(over(ends...), y, pieces); });
     active_.clear();
   }
   passing_.clear();
-  append_sides(pieces_, sides);
 }
 
-void LooseResolver::span(double x0, double x1, double y, double slack0, double slack1) {
+void LooseResolver::span(const SpanPiece& over, double y, std::vector<SpanPiece>& pieces) {
   if (active_.faces().empty()) return;
   if (active_.crossing()) {
-    split_at_crossings(order_, active_.faces(), x0, x1, y, slack0, slack1, pieces_);
+    split_at_crossings(order_, active_.faces(), over.x0, over.x1, y, over.slack0, over.slack1,
+                       pieces);
   } else {
-    pieces_.push_back({x0, x1, active_.seen_at(x0 + (x1 - x0) / 2, y), static_cast<float>(slack0),
-                       static_cast<float>(slack1)});
+    const Index seen = active_.seen_at(over.x0 + (over.x1 - over.x0) / 2, y);
+    pieces.push_back({over.x0, over.x1, seen, over.slack0, over.slack1});
   }
 }
 

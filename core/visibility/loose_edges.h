@@ -60,21 +60,22 @@ class LooseResolver {
 
   /// Adds an edge of the body in hand that meets the level.
   void add(const LooseEdge& edge, double y);
-  /// Appends what is seen of the body whose edges were added. Forgets the edges.
-  void resolve(Index body, double y, std::vector<RowSide>& sides);
+  /// Appends what is seen of the body whose edges were added, from left to right. Forgets the
+  /// edges.
+  void resolve(Index body, double y, std::vector<SpanPiece>& pieces);
   /// What was cut away of solids that were resolved since this was cleared: where the uncut solid
   /// is seen before what is left of it. By solid, from left to right.
   std::vector<SpanPiece>& cut_away() { return cut_away_; }
 
  private:
-  void span(double x0, double x1, double y, double slack0, double slack1);
+  void span(const SpanPiece& over, double y, std::vector<SpanPiece>& pieces);
 
   const FrontTable& table_;
   const FaceOrder& order_;
   ActiveList<FaceOrder> active_;
   SolidSweep solid_;
   std::vector<Passing> passing_;
-  std::vector<SpanPiece> pieces_, cut_away_;
+  std::vector<SpanPiece> cut_away_;
 };
 
 }  // namespace overstrike

@@ -83,9 +83,14 @@ void RowPlanner::make(double y, std::span<const Index> not_walkable, RowPlan& pl
   lay_out(event_x);
 }
 
+const std::vector<SpanPiece>* RowPlanner::alone(double y) {
+  if (!table_.bodies[table_.bodies.band(y)].empty() || loose_.turn_to(y) != 1) return nullptr;
+  return &loose_.pieces(0);
+}
+
 void RowPlanner::collect(double y) {
   plan_->items.clear(), sides_->clear();
-  if (loose_) loose_->cut_away().clear();
+  const std::size_t loose = loose_.turn_to(y);
   const std::size_t band = table_.bodies.band(y);
   const auto [loose_from, loose_until] = table_.loose.levels_near(y);
   plan_->from = std::max(table_.bodies.low(band), loose_from);
@@ -104,58 +109,8 @@ void RowPlanner::collect(double y) {
     fetch_ahead(i);
     collect_front(meeting_bodies_[i], y);
   }
-  collect_edges(y);
-}
-
-/// Bodies and solids that are resolved by their edges.
-void RowPlanner::collect_edges(double y) {
-  const std::span<const LevelBands::Item> edges = table_.loose.near(y);
-  if (edges.data() != band_.data() || edges.size() != band_.size()) {
-    band_ = edges;
-    body_ends_.clear();
-    const auto body = [&](std::size_t i) { return table_.loose[edges[i].number].body; };
-    for (std::size_t i = 1; i <= edges.size(); ++i)
-      if (i == edges.size() || body(i) != body(i - 1)) body_ends_.push_back(i);
-  }
-  const auto is_kept = [&](Index body) {
-    if (table_.solids.coherence != Coherence::all || body <= table_.fronts.ground_body())
-      return false;
-    return !table_.fronts.canonical.solids[body - table_.fronts.solid_body(0)]->uncut;
-  };
-  std::size_t first = 0;
-  for (const std::size_t end : body_ends_) {
-    const Index body = table_.loose[edges[first].number].body;
-    const std::span<const LevelBands::Item> of_body = edges.subspan(first, end - first);
-    first = end;
-    plan_->until = plan_->from;
-    if (is_kept(body) && rows_of(body).is_worth_while()) {
-      collect_kept_solid(body, y, of_body);
-      continue;
-    }
-    if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
-    for (const LevelBands::Item& item : of_body)
-      if (item.meets(y)) loose_->add(table_.loose[item.number], y);
-    const std::size_t first_side = sides_->size();
-    loose_->resolve(body, y, *sides_);
-    add_stretches(body, first_side);
-  }
-}
-
-SolidRows& RowPlanner::rows_of(Index body) {
-  const Index solid = body - table_.fronts.solid_body(0);
-  if (solids_.empty()) solids_.resize(table_.fronts.canonical.solids.size());
-  if (!solids_[solid])
-    solids_[solid] =
-        std::make_unique<SolidRows>(table_.fronts, faces_, table_.loose, solid, table_.solids);
-  return *solids_[solid];
-}
-
-void RowPlanner::collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges) {
-  solid_pieces_.clear();
-  rows_of(body).on_level(y, edges, solid_pieces_);
-  const std::size_t first = sides_->size();
-  append_sides(solid_pieces_, *sides_);
-  add_stretches(body, first);
+  for (std::size_t i = 0; i < loose; ++i) add_stretches(loose_.body(i), loose_.pieces(i));
+  if (loose > 0) plan_->until = plan_->from;
 }
 
 /// Small bodies lie all over the memory: what the next ones need is on its way while this one is
@@ -187,7 +142,7 @@ void RowPlanner::collect_front(Index body, double y) {
   const bool known =
       outline.kind == Outline::Kind::one &&
       std::find(not_walkable_.begin(), not_walkable_.end(), body) == not_walkable_.end();
-  if (!known) return collect_loose(body, y);
+  if (!known) return collect_loose(body);
   const LevelLine &left = *outline.left, &right = *outline.right;
   plan_->from = std::max({plan_->from, left.y0, right.y0});
   plan_->until = std::min({plan_->until, left.y1, right.y1});
@@ -197,27 +152,21 @@ void RowPlanner::collect_front(Index body, double y) {
     plan_->until = plan_->from;
     // More than rounding: an outline that crosses itself.
     const double slack = front.line_error.of(left) + front.line_error.of(right);
-    if (x0 - x1 > slack) collect_loose(body, y);
+    if (x0 - x1 > slack) collect_loose(body);
     return;
   }
   plan_->items.push_back({body, outline, kNone, kNone, kNone, x0, x1, front.near_z, front.far_z});
 }
 
-void RowPlanner::collect_loose(Index number, double y) {
-  if (!loose_) loose_.emplace(table_.fronts, faces_, table_.solids);
-  const CanonicalBody& body = table_.fronts.canonical.bodies[number];
-  LooseEdge edge;
-  for (Index e = body.first_edge; e < body.end_edge; ++e)
-    if (to_loose_edge(table_.fronts, table_.fronts.canonical.edges[e], number, edge))
-      loose_->add(edge, y);
-  const std::size_t first = sides_->size();
-  loose_->resolve(number, y, *sides_);
-  add_stretches(number, first);
+void RowPlanner::collect_loose(Index body) {
+  add_stretches(body, loose_.pieces_of(body));
   plan_->until = plan_->from;
 }
 
-void RowPlanner::add_stretches(Index body, std::size_t first) {
+void RowPlanner::add_stretches(Index body, const std::vector<SpanPiece>& pieces) {
   const FrontBody& front = table_.fronts.bodies[body];
+  std::size_t first = sides_->size();
+  append_sides(pieces, *sides_);
   for (std::size_t end = first; end < sides_->size(); ++end) {
     if ((*sides_)[end].face != kNone) continue;
     const double x0 = (*sides_)[first].x, x1 = (*sides_)[end].x;

@@ -4,7 +4,6 @@
 // Fronts enter and leave from left to right. Between two such events the bodies present are the
 // same. Which of them are seen first follows from the events' order and from nothing else of the
 // level, so that a level at which the same sides meet it in the same order has the same plan.
-#include <memory>
 #include <vector>
 
 #include "core/visibility/body_order.h"
@@ -13,8 +12,7 @@
 #include "core/visibility/kept_stretch.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/level_cover.h"
-#include "core/visibility/loose_edges.h"
-#include "core/visibility/solid_rows.h"
+#include "core/visibility/loose_rows.h"
 
 namespace overstrike {
 
@@ -84,14 +82,20 @@ struct RowPlan {
 class RowPlanner {
  public:
   RowPlanner(const SweepTable& table, const FaceOrder& faces, FrontWalker& walker)
-      : table_(table), faces_(faces), walker_(walker), cover_(table.fronts.columns) {}
+      : table_(table),
+        walker_(walker),
+        loose_(table.fronts, table.loose, faces, table.solids),
+        cover_(table.fronts.columns) {}
 
   /// The plan of a level. Bodies that have no front there, and those of `not_walkable`, are
   /// resolved by their edges; their sides are left in `sides`, and the plan does not last.
   void make(double y, std::span<const Index> not_walkable, RowPlan& plan,
             std::vector<RowSide>& sides, std::vector<double>& event_x);
-  /// What was cut away of solids on the level that the plan was made for (LooseResolver).
-  std::vector<SpanPiece>* cut_away() { return loose_ ? &loose_->cut_away() : nullptr; }
+  /// What is seen on a level that meets nothing but one body or solid that is resolved by its
+  /// edges, and needs no plan: pieces from left to right, good until the next call. Null: make one.
+  const std::vector<SpanPiece>* alone(double y);
+  /// What was cut away of solids on the level in hand (LooseRows).
+  std::vector<SpanPiece>* cut_away() { return loose_.cut_away(); }
 
  private:
   struct ItemEnd {
@@ -103,11 +107,8 @@ class RowPlanner {
   void collect(double y);
   void fetch_ahead(std::size_t at) const;
   void collect_front(Index body, double y);
-  void collect_loose(Index body, double y);
-  void collect_edges(double y);
-  SolidRows& rows_of(Index body);
-  void collect_kept_solid(Index body, double y, std::span<const LevelBands::Item> edges);
-  void add_stretches(Index body, std::size_t first);
+  void collect_loose(Index body);
+  void add_stretches(Index body, const std::vector<SpanPiece>& pieces);
   void drop_hidden();
   void add_ends();
   void lay_out(std::vector<double>& event_x);
@@ -115,14 +116,8 @@ class RowPlanner {
   int order(Index a, Index b) const;
 
   const SweepTable& table_;
-  const FaceOrder& faces_;
   FrontWalker& walker_;
-  std::optional<LooseResolver> loose_;
-  std::vector<std::unique_ptr<SolidRows>> solids_;  ///< each made when it is first met
-  std::vector<SpanPiece> solid_pieces_;
-  /// Of the band of edges in hand: where one body's end.
-  std::span<const LevelBands::Item> band_;
-  std::vector<std::size_t> body_ends_;
+  LooseRows loose_;
   // The plan that is being made.
   RowPlan* plan_ = nullptr;
   std::span<const Index> not_walkable_;

@@ -19,6 +19,7 @@ void append(std::vector<SpanPiece>& pieces, const SpanPiece& piece) {
 
 RowSweep::RowSweep(const SweepTable& table)
     : faces_(table.fronts),
+      columns_(table.fronts.columns),
       walker_(table.fronts),
       planner_(table, faces_, walker_),
       keeper_(faces_, table.fronts.columns) {}
@@ -27,10 +28,28 @@ void RowSweep::resolve(double y, std::vector<SpanPiece>& pieces) {
   not_walkable_.clear();
   step_ = y - last_y_, last_y_ = y;
   credit_ = std::min(credit_ + 1, kMostCredit);
-  if (!plan_.holds(y, event_x_)) make_plan(y);
+  if (!plan_.holds(y, event_x_)) {
+    if (show_alone(y, pieces)) return;
+    make_plan(y);
+  }
   // Again when a front turns out not to be walkable: the body is taken by its edges then.
   for (const std::size_t before = pieces.size(); !follow_plan(y, pieces); pieces.resize(before))
     make_plan(y);
+}
+
+/// As follow_plan() would show one connected stretch after the other.
+bool RowSweep::show_alone(double y, std::vector<SpanPiece>& pieces) {
+  const std::vector<SpanPiece>* const alone = planner_.alone(y);
+  if (alone == nullptr) return false;
+  double x = 0;
+  for (SpanPiece piece : *alone) {
+    if (piece.x0 < x) piece.x0 = x, piece.slack0 = 0;
+    if (piece.x1 > columns_) piece.x1 = columns_, piece.slack1 = 0;
+    if (!(piece.x0 < piece.x1)) continue;
+    append(pieces, piece);
+    x = piece.x1;
+  }
+  return true;
 }
 
 void RowSweep::make_plan(double y) {

@@ -39,6 +39,7 @@ class RowSweep {
     double x0, x1;
     float slack0, slack1;
   };
+  bool show_alone(double y, std::vector<SpanPiece>& pieces);
   void make_plan(double y);
   bool follow_plan(double y, std::vector<SpanPiece>& pieces);
   bool look_at_fronts(double y);
@@ -55,6 +56,7 @@ class RowSweep {
 
   static constexpr int kMostCredit = 256, kPriceOfTrial = 6;
   FaceOrder faces_;
+  double columns_;
   FrontWalker walker_;
   RowPlanner planner_;
   StretchKeeper keeper_;

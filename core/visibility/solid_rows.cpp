@@ -29,7 +29,8 @@ SolidRows::SolidRows(const FrontTable& table, const FaceOrder& order, const Loos
       order_(order),
       edges_(edges),
       expression_(table.canonical.solids[solid]->expression),
-      sweep_(table.canonical, options) {
+      sweep_(table.canonical, options),
+      certifier_(order, table.columns) {
   sweep_.record_in(&record_);
 }
 
@@ -37,17 +38,20 @@ void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
                          std::vector<SpanPiece>& pieces) {
   if (!(y >= y_)) restart();
   step_ = y - y_, resolved_ = 0;
-  const bool starts = near.data() != band_ || y >= next_start_;
-  if (starts || y >= next_due_) {
+  if (near.data() != band_) find_pending(near), next_start_ = y;
+  if (y >= next_start_ || y >= next_due_) {
     drop_ended(y);
-    put_in_order();
-    if (starts) add_started(y, near);
-    resolve_dirty(y);
-    note_shown();
+    put_in_order(y);
+    add_started(y);
+    resolve_due(y);
+    show_resolved(y, pieces);
+    next_due_ = met_.due(), borders_known_ = false;
+  } else {
+    if (!borders_known_) note_borders();
+    show_kept(y, pieces);
   }
   learn();
   y_ = y, band_ = near.data();
-  for (const Shown& shown : shown_) show(shown, y, pieces);
 }
 
 bool SolidRows::is_worth_while() {
@@ -60,7 +64,7 @@ bool SolidRows::is_worth_while() {
 /// What was kept pays for what was resolved. Until that has paid, each rest is longer than the one
 /// before.
 void SolidRows::learn() {
-  const auto spans = static_cast<double>(order_line_.size());
+  const auto spans = static_cast<double>(met_.size());
   credit_ += spans - kPrice * static_cast<double>(resolved_);
   if (credit_ > kMostLost * spans) credit_ = kMostLost * spans, next_rest_ = kLeastRest;
   if (credit_ >= -kMostLost * spans) return;
@@ -71,71 +75,95 @@ void SolidRows::learn() {
 /// To the level above all others.
 void SolidRows::restart() {
   credit_ = 0;
-  for (const Index n : order_line_) free_.push_back(n);
-  order_line_.clear(), shown_.clear();
+  for (std::size_t i = 0; i < met_.size(); ++i) free_.push_back(met_.node(i));
+  met_.clear();
   y_ = -HUGE_VAL, band_ = nullptr;
-}
-
-/// Sets the line that the node is on at the level. True when that is another than before.
-bool SolidRows::evaluate(Node& n, double y) const {
-  if (table_.windows.empty()) return false;
-  const LevelLine& line = edges_[n.edge].line;
-  const Index body = table_.canonical.faces[n.faces[0]].body;
-  const GridWindow& in = table_.windows[body];
-  const double x = line.x_at(y), clamped = std::clamp(x, in.x0, in.x1);
-  const double to = clamped == x ? kNotClamped : clamped;
-  const bool same = to == n.clamped_to || (std::isnan(to) && std::isnan(n.clamped_to));
-  if (same) return false;
-  n.dirty = true, n.clamped_to = to;
-  n.line = clamped == x ? SlackLine{line.x0, line.y0, n.line.y1, line.slope,
-                                    static_cast<float>(table_.bodies[body].line_error.of(line))}
-                        : SlackLine{clamped, line.y0, n.line.y1, 0, 0};
-  return true;
 }
 
 /// Takes out nodes that the level does not meet any more. What is next to them is touched.
 void SolidRows::drop_ended(double y) {
-  std::size_t kept = 0;
-  bool touched = false;
-  x_.clear();
-  for (const Index i : order_line_) {
-    Node& n = nodes_[i];
-    if (n.line.y1 <= y) {
-      free_.push_back(i);
-      if (kept > 0) node(kept - 1).dirty = true;
-      touched = true;
-      continue;
+  for (std::size_t at = met_.next_due(0, y); at < met_.size();) {
+    if (met_.y1(at) <= y) {
+      free_.push_back(met_.node(at));
+      const bool had_span = met_.has_span(at);
+      met_.erase(at);
+      if (at > 0) met_.touch(at - 1);
+      // From the one before it on, spans are resolved until one is as it was.
+      if ((at == 0 || !had_span) && at < met_.size()) met_.touch(at);
+    } else {
+      // The span before it ends on another line then.
+      if (clamp(at, y) && at > 0) met_.touch(at - 1);
+      ++at;
     }
-    // The span before it ends on another line then.
-    if (evaluate(n, y) && kept > 0) node(kept - 1).dirty = true;
-    n.dirty = n.dirty || touched || n.until <= y;
-    touched = false;
-    order_line_[kept++] = i;
-    x_.push_back(n.line.x_at(y));
+    at = met_.next_due(at, y);
   }
-  // Left of the last one nothing else is touched.
-  if (touched && kept > 0) node(kept - 1).dirty = true;
-  order_line_.resize(kept);
+}
+
+SlackLine SolidRows::line_of(const Node& n, double y1) const {
+  const LevelLine& line = edges_[n.edge].line;
+  if (!std::isnan(n.clamped_to)) return {n.clamped_to, line.y0, y1, 0, 0};
+  const Index body = table_.canonical.faces[n.faces[0]].body;
+  const double slack = table_.bodies[body].line_error.of(line);
+  return {line.x0, line.y0, y1, line.slope, static_cast<float>(slack)};
+}
+
+/// The border of its operand's window where the level meets the node's edge beyond that, or NaN.
+double SolidRows::clamped(const Node& n, double y) const {
+  if (table_.windows.empty()) return kNotClamped;
+  const GridWindow& in = table_.windows[table_.canonical.faces[n.faces[0]].body];
+  const double x = edges_[n.edge].line.x_at(y), clamped = std::clamp(x, in.x0, in.x1);
+  return clamped == x ? kNotClamped : clamped;
+}
+
+/// Puts the node there, or on its edge. True when it was not there before.
+bool SolidRows::clamp(std::size_t at, double y) {
+  Node& n = node(at);
+  const double to = clamped(n, y);
+  if (to == n.clamped_to || (std::isnan(to) && std::isnan(n.clamped_to))) return false;
+  n.clamped_to = to;
+  met_.set_line(at, line_of(n, met_.y1(at)));
+  return true;
 }
 
 /// By place, then as sort_passing() has them.
 bool SolidRows::before(std::size_t at, std::size_t other) {
-  if (x_[at] != x_[other]) return x_[at] < x_[other];
+  if (met_.x(at) != met_.x(other)) return met_.x(at) < met_.x(other);
   return node(at).faces < node(other).faces;
 }
 
 /// Few are out of order. What moves, and what that moves past, is touched, and what comes before.
-void SolidRows::put_in_order() {
-  for (std::size_t i = 1; i < order_line_.size(); ++i)
+void SolidRows::put_in_order(double y) {
+  met_.turn_to(y);
+  for (std::size_t i = met_.next_out_of_order(1); i < met_.size();
+       i = met_.next_out_of_order(i + 1))
     for (std::size_t at = i; at > 0 && before(at, at - 1); --at) {
-      std::swap(order_line_[at], order_line_[at - 1]);
-      std::swap(x_[at], x_[at - 1]);
-      node(at).dirty = node(at - 1).dirty = true;
-      if (at > 1) node(at - 2).dirty = true;
+      met_.swap(at);
+      met_.touch(at), met_.touch(at - 1);
+      if (at > 1) met_.touch(at - 2);
     }
 }
 
-Index SolidRows::new_node(Index edge) {
+/// Of the band's edges, those that begin below the level before, the first one last.
+void SolidRows::find_pending(std::span<const LevelBands::Item> near) {
+  pending_.clear();
+  for (const LevelBands::Item& item : near)
+    if (item.low > y_) pending_.push_back(item);
+  std::sort(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) {
+    return a.low != b.low ? a.low > b.low : a.number > b.number;
+  });
+}
+
+void SolidRows::add_started(double y) {
+  for (; !pending_.empty() && pending_.back().low <= y; pending_.pop_back()) {
+    const LevelBands::Item& item = pending_.back();
+    const LevelLine& line = edges_[item.number].line;
+    const double y1 = std::min(line.y1, item.high);
+    if (line.y0 <= y && y < y1) add(item.number, y1, y);
+  }
+  next_start_ = pending_.empty() ? HUGE_VAL : pending_.back().low;
+}
+
+void SolidRows::add(Index edge, double y1, double y) {
   if (free_.empty()) {
     free_.push_back(static_cast<Index>(nodes_.size()));
     nodes_.emplace_back();
@@ -143,50 +171,19 @@ Index SolidRows::new_node(Index edge) {
   const Index number = free_.back();
   free_.pop_back();
   Node& n = nodes_[number];
-  const LooseEdge& e = edges_[edge];
-  const Index body = table_.canonical.faces[e.faces[0]].body;
-  n.edge = edge, n.faces = e.faces;
-  n.line = {e.line.x0, e.line.y0, e.line.y1, e.line.slope,
-            static_cast<float>(table_.bodies[body].line_error.of(e.line))};
-  n.clamped_to = kNotClamped;
-  n.until = -HUGE_VAL, n.resolved_at = -HUGE_VAL;
-  n.dirty = true, n.has_span = false;
-  n.active.clear(), n.parts.clear(), n.pieces.clear();
-  return number;
+  n.edge = edge, n.faces = edges_[edge].faces;
+  n.clamped_to = clamped(n, y), n.resolved_at = -HUGE_VAL;
+  const SlackLine line = line_of(n, y1);
+  const double x = line.x_at(y);
+  std::size_t at = met_.first_from(x);
+  while (at < met_.size() && met_.x(at) == x && node(at).faces < n.faces) ++at;
+  met_.insert(at, number, line, y);
+  if (at > 0) met_.touch(at - 1);
 }
 
-void SolidRows::add_started(double y, std::span<const LevelBands::Item> near) {
-  next_start_ = HUGE_VAL;
-  for (const LevelBands::Item& item : near) {
-    if (item.low > y) next_start_ = std::min(next_start_, item.low);
-    if (!(item.low > y_ && item.meets(y))) continue;
-    const Index number = new_node(item.number);
-    Node& n = nodes_[number];
-    n.line.y1 = std::min(n.line.y1, item.high);
-    if (!(edges_[item.number].line.y0 <= y && y < n.line.y1)) {
-      free_.push_back(number);
-      continue;
-    }
-    evaluate(n, y);
-    const double x = n.line.x_at(y);
-    auto at = static_cast<std::size_t>(std::lower_bound(x_.begin(), x_.end(), x) - x_.begin());
-    while (at < x_.size() && x_[at] == x && node(at).faces < n.faces) ++at;
-    order_line_.insert(order_line_.begin() + static_cast<std::ptrdiff_t>(at), number);
-    x_.insert(x_.begin() + static_cast<std::ptrdiff_t>(at), x);
-    if (at > 0) node(at - 1).dirty = true;
-    if (at + 1 < x_.size()) node(at + 1).dirty = true;
-  }
-}
-
-void SolidRows::resolve_dirty(double y) {
-  for (std::size_t i = 0; i < order_line_.size();) {
-    if (!node(i).dirty) {
-      ++i;
-      continue;
-    }
-    while (i > 0 && !node(i - 1).has_span) --i;
-    i = resolve_from(i, y);
-  }
+void SolidRows::resolve_due(double y) {
+  for (std::size_t i = met_.next_due(0, y); i < met_.size(); i = met_.next_due(i, y))
+    i = resolve_from(met_.first_beside(i), y);
 }
 
 /// The sweep begins where the span before a node ends, or where the order there is in doubt, as
@@ -194,9 +191,8 @@ void SolidRows::resolve_dirty(double y) {
 std::size_t SolidRows::begin_before(std::size_t at, double y) {
   sweep_.begin(expression_, order_, y, table_.columns);
   while (at > 0) {
-    std::size_t left = at - 1;
-    while (left > 0 && !node(left - 1).has_span) --left;
-    if (sweep_.resume(node(at - 1).active, x_[left], x_[at])) return at;
+    const std::size_t left = met_.first_beside(at - 1);
+    if (sweep_.resume(node(at - 1).active, met_.x(left), met_.x(at))) return at;
     sweep_.begin(expression_, order_, y, table_.columns);
     at = left;
   }
@@ -207,48 +203,46 @@ std::size_t SolidRows::begin_before(std::size_t at, double y) {
 /// it, until a node is reached that is as it was. Its number is the result.
 std::size_t SolidRows::resolve_from(std::size_t touched, double y) {
   std::size_t first = begin_before(touched, y);
-  double slack = node(first).line.slack;
+  double slack = met_.slack(first);
   for (std::size_t at = first;; ++at) {
-    Node& n = node(at);
+    const Node& n = node(at);
     sweep_.pass(n.faces);
-    n.until = n.line.y1, n.has_span = false;
-    n.parts.clear(), n.pieces.clear(), n.active.clear();
-    if (!table_.windows.empty()) keep_clamped(n, y);
+    met_.set_until(at, met_.y1(at)), met_.set_shows(at, EdgeOrder::kNoSpan);
+    if (!table_.windows.empty()) keep_clamped(at, y);
     keep_together(first, at, y);
-    n.dirty = false;
-    if (at + 1 == order_line_.size()) return at + 1;
-    const Node& next = node(at + 1);
-    if (x_[at + 1] - x_[first] > slack + next.line.slack) {
+    if (at + 1 == met_.size()) return at + 1;
+    const double next_slack = met_.slack(at + 1), apart = met_.x(at + 1) - met_.x(first);
+    if (apart > slack + next_slack) {
       resolve_span(first, at, slack, y);
-      const double carried = slack - (x_[at + 1] - x_[first]);
-      slack = std::max<double>(next.line.slack, carried);
+      const double carried = slack - apart;
+      slack = std::max(next_slack, carried);
       first = at + 1;
       // It may have begun left of what is touched.
-      if (carried < 0 && first > touched && goes_on_as_before(first, node(at).active)) return first;
+      if (carried < 0 && first > touched && goes_on_as_before(first, n.active, y)) return first;
     } else {
-      slack = std::max<double>(slack, next.line.slack);
+      slack = std::max(slack, next_slack);
     }
   }
 }
 
 /// The nodes from there that meet the level in one place are as they were, and leave the layers as
 /// they were after them.
-bool SolidRows::goes_on_as_before(std::size_t at, const std::vector<Index>& active) {
+bool SolidRows::goes_on_as_before(std::size_t at, const std::vector<Index>& active, double y) {
   if (mark_.empty()) mark_.resize(table_.canonical.faces.size(), 0);
   turn_ += 2;
   std::size_t count = active.size();
   for (const Index face : active) mark_[face] = turn_;
   for (;; ++at) {
     const Node& n = node(at);
-    if (n.dirty) return false;
+    if (met_.is_due(at, y)) return false;
     for (const Index face : n.faces) {
       if (face == kNone) continue;
       const bool is_in = mark_[face] == turn_;
       mark_[face] = is_in ? 0 : turn_;
       is_in ? --count : ++count;
     }
-    if (at + 1 == order_line_.size()) return true;
-    if (n.has_span)
+    if (at + 1 == met_.size()) return true;
+    if (met_.has_span(at))
       return n.active.size() == count &&
              std::all_of(n.active.begin(), n.active.end(),
                          [&](Index face) { return mark_[face] == turn_; });
@@ -257,24 +251,22 @@ bool SolidRows::goes_on_as_before(std::size_t at, const std::vector<Index>& acti
 
 /// Nodes that meet the level in one place are kept while they surely do.
 void SolidRows::keep_together(std::size_t first, std::size_t at, double y) {
-  Node &n = node(at), &head = node(first);
   if (at == first) return;
-  if (n.line.slack > kSlacksAlike * head.line.slack) {
-    n.until = y;
-    return;
-  }
-  const double within = kTogether * std::min(n.line.slack, head.line.slack);
-  SureLevels sure{y, std::min(n.until, head.line.y1), y};
-  const auto apart = [&](double level) { return n.line.x_at(level) - head.line.x_at(level); };
+  const SlackLine line = met_.line(at), head = met_.line(first);
+  if (line.slack > kSlacksAlike * head.slack) return met_.set_until(at, y);
+  const double within = kTogether * std::min(line.slack, head.slack);
+  SureLevels sure{y, std::min(met_.until(at), head.y1), y};
+  const auto apart = [&](double level) { return line.x_at(level) - head.x_at(level); };
   const bool together = sure.certify(0, [&](double level) { return within - apart(level); }) &&
                         sure.certify(0, [&](double level) { return within + apart(level); });
-  n.until = together ? sure.until : y;
+  met_.set_until(at, together ? sure.until : y);
 }
 
-void SolidRows::keep_clamped(Node& n, double y) const {
+void SolidRows::keep_clamped(std::size_t at, double y) {
+  const Node& n = node(at);
   const LevelLine& line = edges_[n.edge].line;
   const GridWindow& in = table_.windows[table_.canonical.faces[n.faces[0]].body];
-  SureLevels sure{y, n.until, y};
+  SureLevels sure{y, met_.until(at), y};
   const auto x_at = [&](double level) { return line.x_at(level); };
   bool is_sure = false;
   if (n.clamped_to == in.x0) {
@@ -285,150 +277,155 @@ void SolidRows::keep_clamped(Node& n, double y) const {
     is_sure = sure.certify(0, [&](double level) { return x_at(level) - in.x0; }) &&
               sure.certify(0, [&](double level) { return in.x1 - x_at(level); });
   }
-  n.until = is_sure ? sure.until : y;
+  met_.set_until(at, is_sure ? sure.until : y);
 }
 
 /// Resolves the span between the nodes [left, at] and the next one.
 void SolidRows::resolve_span(std::size_t left, std::size_t at, double slack, double y) {
   Node& n = node(at);
-  const Node& next = node(at + 1);
   ++resolved_;
-  record_.clear();
-  sweep_.span({x_[left], x_[at + 1], kNone, static_cast<float>(slack), next.line.slack}, n.pieces);
+  record_.clear(), n.parts.clear(), n.pieces.clear();
+  const SpanPiece over{met_.x(left), met_.x(at + 1), kNone, static_cast<float>(slack),
+                       met_.slack(at + 1)};
+  sweep_.span(over, n.pieces);
   sweep_.copy_active(n.active);
-  n.has_span = true, n.resolved_at = y;
+  n.resolved_at = y;
   for (const SpanRecord::Part& part : record_.parts)
     if (n.parts.empty() || n.parts.back().seen != part.seen)
       n.parts.push_back({part.seen, part.crossing});
-  certify_span(left, at, y);
+  met_.set_until(at, certify_span(left, at, y));
+  const bool is_one = n.parts.size() == 1 && met_.until(at) > y;
+  met_.set_shows(at, is_one ? n.parts[0].seen : EdgeOrder::kSeveral);
 }
 
-void SolidRows::certify_span(std::size_t left, std::size_t at, double y) {
-  Node& n = node(at);
-  const Node& next = node(at + 1);
-  SureLevels sure{y, std::min(n.until, next.line.y1), y + step_};
-  n.until = y;
-  if (!(sure.until > y)) return;
-  SlackLine from = n.line;
+/// The result: the level before which the span surely shows what it shows.
+double SolidRows::certify_span(std::size_t left, std::size_t at, double y) {
+  const SlackLine to = met_.line(at + 1);
+  SureLevels sure{y, std::min(met_.until(at), to.y1), y + step_};
+  if (!(sure.until > y)) return y;
+  SlackLine from = met_.line(at);
   for (std::size_t i = left; i <= at; ++i) {
-    const SlackLine& line = node(i).line;
-    if (line.slack > from.slack) from.slack = line.slack;
+    const SlackLine line = met_.line(i);
+    from.slack = std::max(from.slack, line.slack);
     sure.until = std::min(sure.until, line.y1);
-    const double margin = kApart * (static_cast<double>(line.slack) + next.line.slack);
-    if (!sure.certify(margin, [&](double l) { return next.line.x_at(l) - line.x_at(l); })) return;
+    const double margin = kApart * (static_cast<double>(line.slack) + to.slack);
+    if (!sure.certify(margin, [&](double l) { return to.x_at(l) - line.x_at(l); })) return y;
   }
-  crossings_.clear();
-  const double levels = std::max(std::fabs(y), std::fabs(sure.until));
-  for (const SpanRecord::Part& part : record_.parts)
-    if (part.crossing[0] != kNone) {
-      const DepthPlane p = order_.depth_of(part.crossing[0]);
-      crossings_.emplace_back(p, order_.depth_of(part.crossing[1]), table_.columns, levels);
-    }
-  Border border{&from, nullptr, {kNone, kNone}, from.slack, from.slack};
-  for (std::size_t i = 0; i < record_.parts.size(); ++i) {
-    Border end{&next.line, nullptr, {kNone, kNone}, -next.line.slack, next.line.slack};
-    if (i + 1 < record_.parts.size()) {
-      const DepthDifference& d = crossings_[i];
-      end = {nullptr, &d, record_.parts[i + 1].crossing, 0,
-             2 * kCrossingError + d.error / std::fabs(d.a)};
-    }
-    if (!certify_part(record_.parts[i], border, end, sure)) return;
-    border = end;
-  }
-  n.until = sure.until;
+  return certifier_.certify(from, to, record_, sure) ? sure.until : y;
 }
 
-/// Those that decided stay in their order, and before all that lie behind.
-bool SolidRows::certify_part(const SpanRecord::Part& part, const Border& from, const Border& to,
-                             SureLevels& sure) const {
-  const Index* const faces = record_.faces.data();
-  const auto stays = [&](Index near, Index far) {
-    return stays_before(near, far, from, 1, sure) && stays_before(near, far, to, -1, sure);
-  };
-  for (std::size_t i = part.first; i + 1 < part.decided; ++i)
-    if (!stays(faces[i], faces[i + 1])) return false;
-  if (part.decided == part.first) return true;
-  const Index last = faces[part.decided - 1];
-  for (std::size_t i = part.decided; i < part.end; ++i)
-    if (!stays(last, faces[i])) return false;
-  return true;
-}
+namespace {
 
-/// `face` lies before `other` at the border and beyond it to its right (`into` 1) or left (-1).
-/// Where the border is where the two cross, it is enough that they do so in that sense. Where it is
-/// an edge in which they touch, what is exact half as far from it as levels look is so everywhere
-/// farther, the rounding of x_at being less than a quarter of the slack.
-bool SolidRows::stays_before(Index face, Index other, const Border& at, double into,
-                             SureLevels& sure) const {
-  if (order_.plane_of(face) == order_.plane_of(other)) return true;
-  const DepthPlane p = order_.depth_of(face);
-  const double levels = std::max(std::fabs(sure.y), std::fabs(sure.until));
-  const DepthDifference d(p, order_.depth_of(other), table_.columns, levels);
-  const auto crosses = [&](Index f, Index g) {
-    return (f == at.crossing[0] && g == at.crossing[1]) ||
-           (f == at.crossing[1] && g == at.crossing[0]);
-  };
-  if (at.line == nullptr) {
-    if (crosses(face, other)) return d.a * into > 0;
-    return sure.certify(d.margin(at.slack), [&](double y) { return d.at(at.x_at(y), y); });
+/// Makes pieces of what is seen from one place on, and from the next. Neighbours of one face become
+/// one piece.
+class Pieces {
+ public:
+  explicit Pieces(std::vector<SpanPiece>& pieces) : pieces_(pieces) {}
+  Index face() const { return open_.face; }
+  /// `slack1` bounds the error of the place as an end, `slack0` as a beginning.
+  void turn(double x, float slack1, float slack0, Index face) {
+    open_.x1 = x, open_.slack1 = slack1;
+    if (open_.face != kNone) append(open_);
+    open_ = {x, x, face, slack0, 0};
   }
-  SureLevels rough = sure;
-  const auto value = [&](double y) { return d.at(at.x_at(y) + at.offset, y); };
-  if (rough.certify(d.margin(at.slack), value)) {
-    sure = rough;
-    return true;
-  }
-  return d.a * into > 0 && d.error <= kCrossingError * std::fabs(d.a) &&
-         order_.compare(face, other, at.x_at(sure.y) + at.offset / 2, sure.y) > 0 &&
-         order_.compare(face, other, at.x_at(sure.until) + at.offset / 2, sure.until) > 0;
-}
-
-void SolidRows::note_shown() {
-  shown_.clear();
-  next_due_ = HUGE_VAL;
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < order_line_.size(); ++i) {
-    const Node& n = node(i);
-    next_due_ = std::min(next_due_, n.until);
-    if (!n.has_span) continue;
-    const bool shows = std::any_of(n.parts.begin(), n.parts.end(),
-                                   [](const Part& part) { return part.seen != kNone; });
-    std::size_t right_end = i + 2;
-    while (shows && right_end < order_line_.size() && !node(right_end - 1).has_span) ++right_end;
-    if (shows) shown_.push_back({left, i + 1, right_end});
-    left = i + 1;
-  }
-}
-
-void SolidRows::show(const Shown& shown, double y, std::vector<SpanPiece>& pieces) {
-  const Node& n = node(shown.left_end - 1);
-  if (n.resolved_at == y) {
-    pieces.insert(pieces.end(), n.pieces.begin(), n.pieces.end());
-    return;
-  }
-  const SlackLine& left = node(shown.left).line;
-  SpanPiece piece{left.x_at(y), 0, kNone, left.slack, 0};
-  for (std::size_t i = shown.left + 1; i < shown.left_end; ++i) {
-    const SlackLine& line = node(i).line;
-    piece.x0 = std::min(piece.x0, line.x_at(y)), piece.slack0 = std::max(piece.slack0, line.slack);
-  }
-  for (std::size_t i = 0; i < n.parts.size(); ++i) {
-    piece.face = n.parts[i].seen;
-    if (i + 1 < n.parts.size()) {
-      const auto& [near, far] = n.parts[i + 1].crossing;
-      piece.x1 = order_.crossing(near, far, y), piece.slack1 = 0;
+  void append(const SpanPiece& piece) {
+    SpanPiece* const last = pieces_.empty() ? nullptr : &pieces_.back();
+    if (last != nullptr && last->x1 == piece.x0 && last->face == piece.face) {
+      last->x1 = piece.x1, last->slack1 = piece.slack1;
     } else {
-      std::size_t first = shown.left_end;
-      piece.x1 = node(first).line.x_at(y);
-      for (std::size_t k = first + 1; k < shown.right_end; ++k) {
-        const double x = node(k).line.x_at(y);
-        if (x < piece.x1 || (x == piece.x1 && node(k).faces < node(first).faces))
-          first = k, piece.x1 = x;
-      }
-      piece.slack1 = node(first).line.slack;
+      pieces_.push_back(piece);
     }
-    if (piece.face != kNone) pieces.push_back(piece);
-    piece.x0 = piece.x1, piece.slack0 = piece.slack1;
+  }
+
+ private:
+  std::vector<SpanPiece>& pieces_;
+  SpanPiece open_{0, 0, kNone, 0, 0};
+};
+
+}  // namespace
+
+/// Shows a level on which nodes have been put in order: spans that were resolved on it as they
+/// were, others by what is kept of them.
+void SolidRows::show_resolved(double y, std::vector<SpanPiece>& pieces) {
+  Pieces shown(pieces);
+  std::size_t end = 0;  // of the spans that were gone over
+  for (std::size_t i = 0; (i = met_.next_showing_other(end, shown.face())) < met_.size();
+       end = i + 1) {
+    const std::size_t left = met_.first_beside(i);
+    const double x = met_.x(left);
+    if (met_.shows(i) != EdgeOrder::kSeveral) {
+      shown.turn(x, met_.slack(left), most_slack(left, i), met_.shows(i));
+      continue;
+    }
+    const Node& n = node(i);
+    if (n.resolved_at == y) {
+      shown.turn(x, met_.slack(left), 0, kNone);
+      for (const SpanPiece& piece : n.pieces) shown.append(piece);
+      continue;
+    }
+    shown.turn(x, met_.slack(left), most_slack(left, i), n.parts[0].seen);
+    for (std::size_t part = 1; part < n.parts.size(); ++part) {
+      const auto& [near, far] = n.parts[part].crossing;
+      shown.turn(order_.crossing(near, far, y), 0, 0, n.parts[part].seen);
+    }
+  }
+  const std::size_t last = met_.first_beside(met_.size());
+  if (last < met_.size()) shown.turn(met_.x(last), met_.slack(last), 0, kNone);
+}
+
+float SolidRows::most_slack(std::size_t left, std::size_t at) const {
+  float slack = met_.slack(at);
+  for (std::size_t i = left; i < at; ++i) slack = std::max(slack, met_.slack(i));
+  return slack;
+}
+
+/// For levels at which nothing is due.
+void SolidRows::note_borders() {
+  borders_.clear(), border_lines_.clear();
+  borders_known_ = true;
+  Index face = kNone;
+  for (std::size_t i = 0; (i = met_.next_showing_other(i, face)) < met_.size(); ++i) {
+    const std::size_t left = met_.first_beside(i);
+    face = met_.shows(i);
+    if (face != EdgeOrder::kSeveral) {
+      add_border(left, i + 1, face);
+      continue;
+    }
+    const std::vector<Part>& parts = node(i).parts;
+    add_border(left, i + 1, parts[0].seen);
+    for (std::size_t part = 1; part < parts.size(); ++part)
+      borders_.push_back({parts[part].crossing, 0, 0, parts[part].seen});
+    face = parts.back().seen;
+  }
+  add_border(met_.first_beside(met_.size()), met_.size(), kNone);
+}
+
+/// Of the nodes [left, end), which meet the level in one place.
+void SolidRows::add_border(std::size_t left, std::size_t end, Index face) {
+  if (face == (borders_.empty() ? kNone : borders_.back().face)) return;
+  const auto first = static_cast<Index>(border_lines_.size());
+  for (std::size_t i = left; i < end; ++i) border_lines_.push_back({met_.line(i), node(i).faces});
+  borders_.push_back({{kNone, kNone}, first, static_cast<Index>(border_lines_.size()), face});
+}
+
+void SolidRows::show_kept(double y, std::vector<SpanPiece>& pieces) const {
+  Pieces shown(pieces);
+  for (const Border& border : borders_) {
+    if (border.crossing[0] != kNone) {
+      const double x = order_.crossing(border.crossing[0], border.crossing[1], y);
+      shown.turn(x, 0, 0, border.face);
+      continue;
+    }
+    const BorderLine* first = &border_lines_[border.first];
+    double least = first->line.x_at(y);
+    float slack = first->line.slack;
+    for (Index i = border.first + 1; i < border.end; ++i) {
+      const BorderLine& other = border_lines_[i];
+      const double x = other.line.x_at(y);
+      if (x < least || (x == least && other.faces < first->faces)) first = &other, least = x;
+      slack = std::max(slack, other.line.slack);
+    }
+    shown.turn(least, first->line.slack, slack, border.face);
   }
 }
 

@@ -18,12 +18,13 @@
 // level by itself, an order that hangs on the spans before.
 #include <vector>
 
-#include "core/visibility/depth_difference.h"
+#include "core/visibility/edge_order.h"
 #include "core/visibility/face_order.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/loose_edges.h"
 #include "core/visibility/passing.h"
 #include "core/visibility/solid_sweep.h"
+#include "core/visibility/span_certificate.h"
 
 namespace overstrike {
 
@@ -47,55 +48,53 @@ class SolidRows {
     Index seen;
     std::array<Index, 2> crossing;
   };
+  /// An edge that the level meets, and the span to its right, if it has one.
   struct Node {
     Index edge;
-    SlackLine line;     ///< or the border of the operand's window, where the edge is beyond that
-    double clamped_to;  ///< that border, or NaN
+    double clamped_to;  ///< the border of its operand's window, where it is beyond that, or NaN
     std::array<Index, 2> faces;
-    double until;  ///< from there something about the node or its span may be otherwise
-    bool dirty;    ///< is so
-    bool has_span;
     // Of the span.
     double resolved_at;
     std::vector<Index> active;      ///< over its end, in any order
     std::vector<Part> parts;        ///< from left to right; none follows one of the same face
     std::vector<SpanPiece> pieces;  ///< at the level it was resolved at
   };
-  /// A span with something to show: between the nodes [left, left_end) and [left_end, right_end).
-  struct Shown {
-    std::size_t left, left_end, right_end;
-  };
-  /// Where parts of a span meet, or where it ends.
+  /// On levels at which nothing is due: a border of what is seen, and the face to its right. It is
+  /// a crossing, or the first by place and faces of some lines.
   struct Border {
-    const SlackLine* line;        ///< null: a crossing
-    const DepthDifference* zero;  ///< of two depths
     std::array<Index, 2> crossing;
-    double offset, slack;  ///< into the span, and what the place may be off by
-    double x_at(double y) const { return line != nullptr ? line->x_at(y) : zero->zero_at(y); }
+    Index first, end;  ///< of border_lines_
+    Index face;
+  };
+  struct BorderLine {
+    SlackLine line;
+    std::array<Index, 2> faces;
   };
 
-  Node& node(std::size_t at) { return nodes_[order_line_[at]]; }
+  Node& node(std::size_t at) { return nodes_[met_.node(at)]; }
   void restart();
   void drop_ended(double y);
-  void put_in_order();
-  void add_started(double y, std::span<const LevelBands::Item> near);
-  Index new_node(Index edge);
-  bool evaluate(Node& n, double y) const;
+  SlackLine line_of(const Node& n, double y1) const;
+  double clamped(const Node& n, double y) const;
+  bool clamp(std::size_t at, double y);
   bool before(std::size_t at, std::size_t other);
-  void resolve_dirty(double y);
+  void put_in_order(double y);
+  void find_pending(std::span<const LevelBands::Item> near);
+  void add_started(double y);
+  void add(Index edge, double y1, double y);
+  void resolve_due(double y);
   std::size_t begin_before(std::size_t at, double y);
   std::size_t resolve_from(std::size_t touched, double y);
-  void resolve_span(std::size_t left, std::size_t right, double slack, double y);
-  bool goes_on_as_before(std::size_t at, const std::vector<Index>& active);
-  void keep_clamped(Node& n, double y) const;
+  void resolve_span(std::size_t left, std::size_t at, double slack, double y);
+  bool goes_on_as_before(std::size_t at, const std::vector<Index>& active, double y);
+  void keep_clamped(std::size_t at, double y);
   void keep_together(std::size_t first, std::size_t at, double y);
-  void certify_span(std::size_t left, std::size_t right, double y);
-  bool certify_part(const SpanRecord::Part& part, const Border& from, const Border& to,
-                    SureLevels& sure) const;
-  bool stays_before(Index face, Index other, const Border& at, double into, SureLevels& sure) const;
-  void note_shown();
-  void show(const Shown& shown, double y, std::vector<SpanPiece>& pieces);
-
+  double certify_span(std::size_t left, std::size_t at, double y);
+  void show_resolved(double y, std::vector<SpanPiece>& pieces);
+  float most_slack(std::size_t left, std::size_t at) const;
+  void note_borders();
+  void add_border(std::size_t left, std::size_t end, Index face);
+  void show_kept(double y, std::vector<SpanPiece>& pieces) const;
   void learn();
 
   const FrontTable& table_;
@@ -103,20 +102,21 @@ class SolidRows {
   const LooseEdges& edges_;
   const SolidExpression& expression_;
   SolidSweep sweep_;
+  SpanCertifier certifier_;
   int levels_to_rest_ = 0, next_rest_ = 0;
   double credit_ = 0;                       ///< spans that were kept, less what it took
   std::size_t resolved_ = 0;                ///< spans, on the level in hand
   double y_ = HUGE_VAL, step_ = 0;          ///< the level before, and from that to the one in hand
   const LevelBands::Item* band_ = nullptr;  ///< the `near` of that
+  std::vector<LevelBands::Item> pending_;   ///< of those, what the level has not met yet
   double next_start_ = -HUGE_VAL, next_due_ = -HUGE_VAL;
   std::vector<Node> nodes_;
   std::vector<Index> free_;
-  std::vector<Index> order_line_;  ///< nodes from left to right
-  std::vector<double> x_;          ///< where they meet the level, while it is worked on
-  std::vector<Shown> shown_;
+  EdgeOrder met_;  ///< by the level
+  bool borders_known_ = false;
+  std::vector<Border> borders_;
+  std::vector<BorderLine> border_lines_;
   SpanRecord record_;
-  std::vector<DepthDifference> crossings_;  ///< at which the parts of the record begin
-  std::vector<Index> active_;
   std::vector<std::uint32_t> mark_;  ///< per face
   std::uint32_t turn_ = 0;
 };

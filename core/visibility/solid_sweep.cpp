@@ -61,18 +61,25 @@ bool SolidSweep::resume(std::span<const Index> faces, double x0, double x1) {
   constexpr double kWide = 4 * kCrossingError;
   const double middle = x1 - x0 > kWide ? x0 + (x1 - x0) / 2 : x1;
   layers_.clear();
+  bool in_order = true;
   for (const Index face : faces) {
     layers_.push_back(layer_of(face));
     layers_.back().fresh = false;
-    for (std::size_t at = layers_.size() - 1;
-         at > 0 && was_before(layers_[at], layers_[at - 1], middle, x1); --at)
+    std::size_t at = layers_.size() - 1;
+    if (at == 0 || follows(at, middle, x1)) continue;
+    in_order = false;
+    for (; at > 0 && was_before(layers_[at], layers_[at - 1], middle, x1); --at)
       std::swap(layers_[at], layers_[at - 1]);
   }
-  for (std::size_t i = 0; i + 1 < layers_.size(); ++i)
-    if (layers_[i].plane != layers_[i + 1].plane &&
-        !was_before(layers_[i], layers_[i + 1], middle, x1))
-      return false;
+  for (std::size_t i = 1; !in_order && i < layers_.size(); ++i)
+    if (!follows(i, middle, x1)) return false;
   return true;
+}
+
+/// Whether a layer surely lay behind the one before it, or lies in its plane.
+bool SolidSweep::follows(std::size_t at, double middle, double end) const {
+  return layers_[at - 1].plane == layers_[at].plane ||
+         was_before(layers_[at - 1], layers_[at], middle, end);
 }
 
 /// Surely so at the end of a span, or where that is in doubt, in its middle.

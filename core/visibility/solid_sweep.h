@@ -105,6 +105,7 @@ class SolidSweep {
   void forget_last_span();
   void forget_seen();
   bool was_before(const Layer& a, const Layer& b, double middle, double end) const;
+  bool follows(std::size_t at, double middle, double end) const;
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void toggle_at_end(Index face);
