@@ -24,9 +24,19 @@ bool LooseRows::may_be_kept(Index body) const {
 SolidRows& LooseRows::rows_of(Index body) {
   const Index solid = body - table_.solid_body(0);
   if (solids_.empty()) solids_.resize(table_.canonical.solids.size());
-  if (!solids_[solid])
-    solids_[solid] = std::make_unique<SolidRows>(table_, faces_, edges_, solid, options_);
-  return *solids_[solid];
+  if (!solids_[solid]) {
+    const Canonical& c = table_.canonical;
+    solids_[solid] = std::make_unique<Kept>(c, options_, c.solids[solid]->expression, faces_, *this,
+                                            table_.columns);
+  }
+  return solids_[solid]->rows;
+}
+
+SolidLine LooseRows::line(Index number) const {
+  const LooseEdge& edge = edges_[number];
+  const Index body = table_.canonical.faces[edge.faces[0]].body;
+  const float slack = static_cast<float>(table_.bodies[body].line_error.of(edge.line));
+  return {edge.line, slack, edge.faces, table_.windows.empty() ? nullptr : &table_.windows[body]};
 }
 
 LooseResolver& LooseRows::resolver() {

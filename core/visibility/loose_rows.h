@@ -10,7 +10,7 @@
 namespace overstrike {
 
 /// One a thread.
-class LooseRows {
+class LooseRows final : public SolidLines {
  public:
   LooseRows(const FrontTable& table, const LooseEdges& edges, const FaceOrder& faces,
             const SolidOptions& options)
@@ -25,6 +25,8 @@ class LooseRows {
   const std::vector<SpanPiece>& pieces(std::size_t i);
   /// The same of a body of which that was not known before.
   const std::vector<SpanPiece>& pieces_of(Index body);
+  /// Of a solid's operand.
+  SolidLine line(Index number) const override;
   /// What was cut away of solids on the level (LooseResolver); null where nothing was.
   std::vector<SpanPiece>* cut_away() { return resolver_ ? &resolver_->cut_away() : nullptr; }
 
@@ -40,7 +42,14 @@ class LooseRows {
   SolidOptions options_;
   double y_ = 0;
   std::optional<LooseResolver> resolver_;
-  std::vector<std::unique_ptr<SolidRows>> solids_;  ///< each made when it is first met
+  struct Kept {
+    SolidTools tools;
+    SolidRows rows;
+    Kept(const Canonical& canonical, const SolidOptions& options, const SolidExpression& expression,
+         const FaceOrder& faces, const SolidLines& lines, double reach)
+        : tools(canonical, options), rows(expression, faces, lines, reach, tools) {}
+  };
+  std::vector<std::unique_ptr<Kept>> solids_;  ///< each made when it is first met
   std::vector<SpanPiece> pieces_;
   std::span<const LevelBands::Item> band_;  ///< edges near the level, by body
   std::vector<std::size_t> ends_;           ///< of each body's among those

@@ -193,12 +193,12 @@ double ReceiverShadow::crossing(const LevelLine& line, Index plane, double y,
   return std::clamp(x, low, high);
 }
 
-void ReceiverShadow::on_level(double y, const FaceOrder& order, Scratch& scratch,
-                              std::vector<ShadowSpan>& spans) const {
+void ReceiverShadow::on_level(double y, const FaceOrder& order, Coherence coherence,
+                              Scratch& scratch, std::vector<ShadowSpan>& spans) const {
   spans.clear();
   plain_on_level(y, order, spans);
   if (solids_.empty()) return;
-  if (!scratch) scratch.emplace(*casting_);
+  if (!scratch) scratch.emplace(*casting_, coherence);
   for (const SolidShadow& solid : solids_)
     solid.on_level(
         y, *cast_order_, [&](const OperandLine& line) { return x_of(line, y, order); }, *scratch,
@@ -250,8 +250,12 @@ void ReceiverShadow::plain_on_level(double y, const FaceOrder& order,
 const ReceiverShadow ReceiverShadows::kNone;
 const ReceiverShadow ReceiverShadows::kAll;
 
-ReceiverShadows::ReceiverShadows(const FrontTable& table, const ShadowCaster* caster)
-    : table_(table), caster_(caster), of_face_(caster != nullptr ? table.tones.size() : 0) {}
+ReceiverShadows::ReceiverShadows(const FrontTable& table, const ShadowCaster* caster,
+                                 Coherence coherence)
+    : table_(table),
+      caster_(caster),
+      coherence_(coherence),
+      of_face_(caster != nullptr ? table.tones.size() : 0) {}
 
 ReceiverShadows::~ReceiverShadows() {
   for (const auto& shadow : of_face_) {

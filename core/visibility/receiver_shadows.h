@@ -34,7 +34,7 @@ class ReceiverShadow {
   using Scratch = std::optional<SolidShadow::Scratch>;
   /// Sets where the level is in shadow on the receiver's plane, from left to right; right over
   /// the receiver itself only.
-  void on_level(double y, const FaceOrder& order, Scratch& scratch,
+  void on_level(double y, const FaceOrder& order, Coherence coherence, Scratch& scratch,
                 std::vector<ShadowSpan>& spans) const;
   /// No border passes over the receiver: it is in shadow all over, or not at all.
   bool uniform() const { return lines_.empty() && solids_.empty(); }
@@ -85,10 +85,12 @@ class ReceiverShadow {
 class ReceiverShadows {
  public:
   /// Both must outlive this; no shadows when there is no caster.
-  ReceiverShadows(const FrontTable& table, const ShadowCaster* caster);
+  ReceiverShadows(const FrontTable& table, const ShadowCaster* caster, Coherence coherence);
   ~ReceiverShadows();
 
   bool none() const { return of_face_.empty(); }
+  /// What is kept of solids' shadows.
+  Coherence coherence() const { return coherence_; }
   enum class Extent { none, all, part };
   /// How much of the face is in shadow; `part` is set to its shadow when that is but a part.
   Extent on(Index face, ShadowCaster::Scratch& scratch, const ReceiverShadow*& part) const {
@@ -105,6 +107,7 @@ class ReceiverShadows {
   static const ReceiverShadow kNone, kAll;
   const FrontTable& table_;
   const ShadowCaster* caster_;
+  Coherence coherence_;
   mutable std::vector<std::atomic<const ReceiverShadow*>> of_face_;
 };
 

@@ -37,7 +37,7 @@ void RunShader::shaded(double y, const SpanPiece& piece, const ReceiverShadow& s
   const bool ground = piece.face == table_.ground();
   std::vector<ShadowSpan>& spans = ground ? ground_spans_ : spans_;
   if (!ground || !ground_spans_known_) {
-    shadow.on_level(y, order_, solids_, spans);
+    shadow.on_level(y, order_, shadows_.coherence(), solids_, spans);
     ground_spans_known_ |= ground;
   }
   SpanPiece left = piece;

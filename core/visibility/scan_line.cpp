@@ -37,7 +37,7 @@ class LineScanner : public RunScanner {
 LineSource::LineSource(const Canonical& canonical, const View& view, const ShadowCaster* caster,
                        double density_tolerance, int threads, const SolidOptions& solids)
     : table_(canonical, view, threads, solids),
-      shadows_(table_.fronts, caster),
+      shadows_(table_.fronts, caster, solids.coherence),
       density_tolerance_(density_tolerance) {}
 
 std::unique_ptr<RunScanner> LineSource::scanner() const {

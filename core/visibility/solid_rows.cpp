@@ -23,22 +23,26 @@ constexpr double kApart = 8, kTogether = 1.0 / 4, kSlacksAlike = 4;
 
 }  // namespace
 
-SolidRows::SolidRows(const FrontTable& table, const FaceOrder& order, const LooseEdges& edges,
-                     Index solid, const SolidOptions& options)
-    : table_(table),
+SolidRows::SolidRows(const SolidExpression& expression, const LayerOrder& order,
+                     const SolidLines& lines, double reach, SolidTools& tools)
+    : expression_(expression),
       order_(order),
-      edges_(edges),
-      expression_(table.canonical.solids[solid]->expression),
-      sweep_(table.canonical, options),
-      certifier_(order, table.columns) {
-  sweep_.record_in(&record_);
+      lines_(lines),
+      reach_(reach),
+      tools_(tools),
+      certifier_(tools.canonical, order, reach) {}
+
+void SolidRows::begin_at(double border, std::span<const Index> faces) {
+  border_ = border, at_left_ = faces;
 }
 
 void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
                          std::vector<SpanPiece>& pieces) {
   if (!(y >= y_)) restart();
   step_ = y - y_, resolved_ = 0;
-  if (near.data() != band_) find_pending(near), next_start_ = y;
+  // An empty band begins where the next one does.
+  if (near.data() != band_.data() || near.size() != band_.size())
+    find_pending(near), next_start_ = y;
   if (y >= next_start_ || y >= next_due_) {
     drop_ended(y);
     put_in_order(y);
@@ -51,7 +55,7 @@ void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
     show_kept(y, pieces);
   }
   learn();
-  y_ = y, band_ = near.data();
+  y_ = y, band_ = near;
 }
 
 bool SolidRows::is_worth_while() {
@@ -77,7 +81,13 @@ void SolidRows::restart() {
   credit_ = 0;
   for (std::size_t i = 0; i < met_.size(); ++i) free_.push_back(met_.node(i));
   met_.clear();
-  y_ = -HUGE_VAL, band_ = nullptr;
+  y_ = -HUGE_VAL, band_ = {}, pending_.clear();
+  if (border_ == 0) return;
+  for (const double x : {-border_, border_}) {
+    LevelLine line;
+    line.x0 = x, line.y0 = 0, line.y1 = HUGE_VAL, line.slope = 0;
+    add({line, 0, {kNone, kNone}, nullptr}, HUGE_VAL, 0);
+  }
 }
 
 /// Takes out nodes that the level does not meet any more. What is next to them is touched.
@@ -99,26 +109,24 @@ void SolidRows::drop_ended(double y) {
   }
 }
 
-SlackLine SolidRows::line_of(const Node& n, double y1) const {
-  const LevelLine& line = edges_[n.edge].line;
+SlackLine SolidRows::line_of(const Node& n, double y1) {
+  const LevelLine& line = n.line.line;
   if (!std::isnan(n.clamped_to)) return {n.clamped_to, line.y0, y1, 0, 0};
-  const Index body = table_.canonical.faces[n.faces[0]].body;
-  const double slack = table_.bodies[body].line_error.of(line);
-  return {line.x0, line.y0, y1, line.slope, static_cast<float>(slack)};
+  return {line.x0, line.y0, y1, line.slope, n.line.slack};
 }
 
-/// The border of its operand's window where the level meets the node's edge beyond that, or NaN.
-double SolidRows::clamped(const Node& n, double y) const {
-  if (table_.windows.empty()) return kNotClamped;
-  const GridWindow& in = table_.windows[table_.canonical.faces[n.faces[0]].body];
-  const double x = edges_[n.edge].line.x_at(y), clamped = std::clamp(x, in.x0, in.x1);
+/// The border of its window where the level meets the line beyond that, or NaN.
+double SolidRows::clamped(const SolidLine& line, double y) {
+  if (line.within == nullptr) return kNotClamped;
+  const double x = line.line.x_at(y);
+  const double clamped = std::clamp(x, line.within->x0, line.within->x1);
   return clamped == x ? kNotClamped : clamped;
 }
 
 /// Puts the node there, or on its edge. True when it was not there before.
 bool SolidRows::clamp(std::size_t at, double y) {
   Node& n = node(at);
-  const double to = clamped(n, y);
+  const double to = clamped(n.line, y);
   if (to == n.clamped_to || (std::isnan(to) && std::isnan(n.clamped_to))) return false;
   n.clamped_to = to;
   met_.set_line(at, line_of(n, met_.y1(at)));
@@ -128,7 +136,7 @@ bool SolidRows::clamp(std::size_t at, double y) {
 /// By place, then as sort_passing() has them.
 bool SolidRows::before(std::size_t at, std::size_t other) {
   if (met_.x(at) != met_.x(other)) return met_.x(at) < met_.x(other);
-  return node(at).faces < node(other).faces;
+  return node(at).line.faces < node(other).line.faces;
 }
 
 /// Few are out of order. What moves, and what that moves past, is touched, and what comes before.
@@ -156,14 +164,14 @@ void SolidRows::find_pending(std::span<const LevelBands::Item> near) {
 void SolidRows::add_started(double y) {
   for (; !pending_.empty() && pending_.back().low <= y; pending_.pop_back()) {
     const LevelBands::Item& item = pending_.back();
-    const LevelLine& line = edges_[item.number].line;
-    const double y1 = std::min(line.y1, item.high);
-    if (line.y0 <= y && y < y1) add(item.number, y1, y);
+    const SolidLine line = lines_.line(item.number);
+    const double y1 = std::min(line.line.y1, item.high);
+    if (line.line.y0 <= y && y < y1) add(line, y1, y);
   }
   next_start_ = pending_.empty() ? HUGE_VAL : pending_.back().low;
 }
 
-void SolidRows::add(Index edge, double y1, double y) {
+void SolidRows::add(const SolidLine& line, double y1, double y) {
   if (free_.empty()) {
     free_.push_back(static_cast<Index>(nodes_.size()));
     nodes_.emplace_back();
@@ -171,17 +179,17 @@ void SolidRows::add(Index edge, double y1, double y) {
   const Index number = free_.back();
   free_.pop_back();
   Node& n = nodes_[number];
-  n.edge = edge, n.faces = edges_[edge].faces;
-  n.clamped_to = clamped(n, y), n.resolved_at = -HUGE_VAL;
-  const SlackLine line = line_of(n, y1);
-  const double x = line.x_at(y);
+  n.line = line, n.clamped_to = clamped(line, y), n.resolved_at = -HUGE_VAL;
+  const SlackLine placed = line_of(n, y1);
+  const double x = placed.x_at(y);
   std::size_t at = met_.first_from(x);
-  while (at < met_.size() && met_.x(at) == x && node(at).faces < n.faces) ++at;
-  met_.insert(at, number, line, y);
+  while (at < met_.size() && met_.x(at) == x && node(at).line.faces < line.faces) ++at;
+  met_.insert(at, number, placed, y);
   if (at > 0) met_.touch(at - 1);
 }
 
 void SolidRows::resolve_due(double y) {
+  tools_.sweep.record_in(&tools_.record);
   for (std::size_t i = met_.next_due(0, y); i < met_.size(); i = met_.next_due(i, y))
     i = resolve_from(met_.first_beside(i), y);
 }
@@ -189,13 +197,15 @@ void SolidRows::resolve_due(double y) {
 /// The sweep begins where the span before a node ends, or where the order there is in doubt, as
 /// many spans before that as it takes. The node after it is the result.
 std::size_t SolidRows::begin_before(std::size_t at, double y) {
-  sweep_.begin(expression_, order_, y, table_.columns);
+  SolidSweep& sweep = tools_.sweep;
+  sweep.begin(expression_, order_, y, reach_);
   while (at > 0) {
     const std::size_t left = met_.first_beside(at - 1);
-    if (sweep_.resume(node(at - 1).active, met_.x(left), met_.x(at))) return at;
-    sweep_.begin(expression_, order_, y, table_.columns);
+    if (sweep.resume(node(at - 1).active, met_.x(left), met_.x(at))) return at;
+    sweep.begin(expression_, order_, y, reach_);
     at = left;
   }
+  for (const Index face : at_left_) sweep.pass({face, kNone});
   return at;
 }
 
@@ -206,9 +216,9 @@ std::size_t SolidRows::resolve_from(std::size_t touched, double y) {
   double slack = met_.slack(first);
   for (std::size_t at = first;; ++at) {
     const Node& n = node(at);
-    sweep_.pass(n.faces);
+    if (n.line.faces[0] != kNone) tools_.sweep.pass(n.line.faces);
     met_.set_until(at, met_.y1(at)), met_.set_shows(at, EdgeOrder::kNoSpan);
-    if (!table_.windows.empty()) keep_clamped(at, y);
+    if (n.line.within != nullptr) keep_clamped(at, y);
     keep_together(first, at, y);
     if (at + 1 == met_.size()) return at + 1;
     const double next_slack = met_.slack(at + 1), apart = met_.x(at + 1) - met_.x(first);
@@ -228,24 +238,24 @@ std::size_t SolidRows::resolve_from(std::size_t touched, double y) {
 /// The nodes from there that meet the level in one place are as they were, and leave the layers as
 /// they were after them.
 bool SolidRows::goes_on_as_before(std::size_t at, const std::vector<Index>& active, double y) {
-  if (mark_.empty()) mark_.resize(table_.canonical.faces.size(), 0);
-  turn_ += 2;
+  std::vector<std::uint32_t>& mark = tools_.mark;
+  const std::uint32_t turn = ++tools_.turn;
   std::size_t count = active.size();
-  for (const Index face : active) mark_[face] = turn_;
+  for (const Index face : active) mark[face] = turn;
   for (;; ++at) {
     const Node& n = node(at);
     if (met_.is_due(at, y)) return false;
-    for (const Index face : n.faces) {
+    for (const Index face : n.line.faces) {
       if (face == kNone) continue;
-      const bool is_in = mark_[face] == turn_;
-      mark_[face] = is_in ? 0 : turn_;
+      const bool is_in = mark[face] == turn;
+      mark[face] = is_in ? 0 : turn;
       is_in ? --count : ++count;
     }
     if (at + 1 == met_.size()) return true;
     if (met_.has_span(at))
       return n.active.size() == count &&
              std::all_of(n.active.begin(), n.active.end(),
-                         [&](Index face) { return mark_[face] == turn_; });
+                         [&](Index face) { return mark[face] == turn; });
   }
 }
 
@@ -264,8 +274,8 @@ void SolidRows::keep_together(std::size_t first, std::size_t at, double y) {
 
 void SolidRows::keep_clamped(std::size_t at, double y) {
   const Node& n = node(at);
-  const LevelLine& line = edges_[n.edge].line;
-  const GridWindow& in = table_.windows[table_.canonical.faces[n.faces[0]].body];
+  const LevelLine& line = n.line.line;
+  const GridWindow& in = *n.line.within;
   SureLevels sure{y, met_.until(at), y};
   const auto x_at = [&](double level) { return line.x_at(level); };
   bool is_sure = false;
@@ -284,13 +294,14 @@ void SolidRows::keep_clamped(std::size_t at, double y) {
 void SolidRows::resolve_span(std::size_t left, std::size_t at, double slack, double y) {
   Node& n = node(at);
   ++resolved_;
-  record_.clear(), n.parts.clear(), n.pieces.clear();
+  SpanRecord& record = tools_.record;
+  record.clear(), n.parts.clear(), n.pieces.clear();
   const SpanPiece over{met_.x(left), met_.x(at + 1), kNone, static_cast<float>(slack),
                        met_.slack(at + 1)};
-  sweep_.span(over, n.pieces);
-  sweep_.copy_active(n.active);
+  tools_.sweep.span(over, n.pieces);
+  tools_.sweep.copy_active(n.active);
   n.resolved_at = y;
-  for (const SpanRecord::Part& part : record_.parts)
+  for (const SpanRecord::Part& part : record.parts)
     if (n.parts.empty() || n.parts.back().seen != part.seen)
       n.parts.push_back({part.seen, part.crossing});
   met_.set_until(at, certify_span(left, at, y));
@@ -311,7 +322,7 @@ double SolidRows::certify_span(std::size_t left, std::size_t at, double y) {
     const double margin = kApart * (static_cast<double>(line.slack) + to.slack);
     if (!sure.certify(margin, [&](double l) { return to.x_at(l) - line.x_at(l); })) return y;
   }
-  return certifier_.certify(from, to, record_, sure) ? sure.until : y;
+  return certifier_.certify(from, to, tools_.record, sure) ? sure.until : y;
 }
 
 namespace {
@@ -404,7 +415,8 @@ void SolidRows::note_borders() {
 void SolidRows::add_border(std::size_t left, std::size_t end, Index face) {
   if (face == (borders_.empty() ? kNone : borders_.back().face)) return;
   const auto first = static_cast<Index>(border_lines_.size());
-  for (std::size_t i = left; i < end; ++i) border_lines_.push_back({met_.line(i), node(i).faces});
+  for (std::size_t i = left; i < end; ++i)
+    border_lines_.push_back({met_.line(i), node(i).line.faces});
   borders_.push_back({{kNone, kNone}, first, static_cast<Index>(border_lines_.size()), face});
 }
 

@@ -19,27 +19,41 @@
 #include <vector>
 
 #include "core/visibility/edge_order.h"
-#include "core/visibility/face_order.h"
 #include "core/visibility/level_bands.h"
-#include "core/visibility/loose_edges.h"
 #include "core/visibility/passing.h"
+#include "core/visibility/solid_lines.h"
 #include "core/visibility/solid_sweep.h"
 #include "core/visibility/span_certificate.h"
 
 namespace overstrike {
 
+/// What one thread needs to resolve levels; of one input, for any of its solids.
+struct SolidTools {
+  explicit SolidTools(const Canonical& input, const SolidOptions& options = {})
+      : canonical(input), sweep(input, options), mark(input.faces.size(), 0) {}
+  const Canonical& canonical;
+  SolidSweep sweep;
+  SpanRecord record;
+  std::vector<std::uint32_t> mark;  ///< per face
+  std::uint32_t turn = 0;
+};
+
 /// One solid, for one thread.
 class SolidRows {
  public:
-  SolidRows(const FrontTable& table, const FaceOrder& order, const LooseEdges& edges, Index solid,
-            const SolidOptions& options);
+  /// `reach`: bounds |x| where it is asked. All must outlive this.
+  SolidRows(const SolidExpression& expression, const LayerOrder& order, const SolidLines& lines,
+            double reach, SolidTools& tools);
+  /// The level begins at -border, with these faces, and ends at border, beyond all lines; without
+  /// this it begins with the first line and ends with the last.
+  void begin_at(double border, std::span<const Index> faces);
 
   /// Whether the next level is to be asked for here. Where most of what is kept lasts for a level
   /// or two, levels are resolved faster by themselves; that is learned, and tried again now and
   /// then.
   bool is_worth_while();
-  /// Appends what is seen of the solid on the level. `near`: at least its edges that meet the level
-  /// (LooseEdges::near), the same span for all levels of a band.
+  /// Appends what is seen of the solid on the level. `near`: at least its lines that meet the
+  /// level, the same span for all levels of a band.
   void on_level(double y, std::span<const LevelBands::Item> near, std::vector<SpanPiece>& pieces);
 
  private:
@@ -50,9 +64,8 @@ class SolidRows {
   };
   /// An edge that the level meets, and the span to its right, if it has one.
   struct Node {
-    Index edge;
-    double clamped_to;  ///< the border of its operand's window, where it is beyond that, or NaN
-    std::array<Index, 2> faces;
+    SolidLine line;
+    double clamped_to;  ///< the border of its window, where it is beyond that, or NaN
     // Of the span.
     double resolved_at;
     std::vector<Index> active;      ///< over its end, in any order
@@ -74,14 +87,14 @@ class SolidRows {
   Node& node(std::size_t at) { return nodes_[met_.node(at)]; }
   void restart();
   void drop_ended(double y);
-  SlackLine line_of(const Node& n, double y1) const;
-  double clamped(const Node& n, double y) const;
+  static SlackLine line_of(const Node& n, double y1);
+  static double clamped(const SolidLine& line, double y);
   bool clamp(std::size_t at, double y);
   bool before(std::size_t at, std::size_t other);
   void put_in_order(double y);
   void find_pending(std::span<const LevelBands::Item> near);
   void add_started(double y);
-  void add(Index edge, double y1, double y);
+  void add(const SolidLine& line, double y1, double y);
   void resolve_due(double y);
   std::size_t begin_before(std::size_t at, double y);
   std::size_t resolve_from(std::size_t touched, double y);
@@ -97,17 +110,19 @@ class SolidRows {
   void show_kept(double y, std::vector<SpanPiece>& pieces) const;
   void learn();
 
-  const FrontTable& table_;
-  const FaceOrder& order_;
-  const LooseEdges& edges_;
   const SolidExpression& expression_;
-  SolidSweep sweep_;
+  const LayerOrder& order_;
+  const SolidLines& lines_;
+  double reach_;
+  SolidTools& tools_;
   SpanCertifier certifier_;
+  double border_ = 0;  ///< 0: there is none
+  std::span<const Index> at_left_;
   int levels_to_rest_ = 0, next_rest_ = 0;
   double credit_ = 0;                       ///< spans that were kept, less what it took
   std::size_t resolved_ = 0;                ///< spans, on the level in hand
   double y_ = HUGE_VAL, step_ = 0;          ///< the level before, and from that to the one in hand
-  const LevelBands::Item* band_ = nullptr;  ///< the `near` of that
+  std::span<const LevelBands::Item> band_;  ///< the `near` of that
   std::vector<LevelBands::Item> pending_;   ///< of those, what the level has not met yet
   double next_start_ = -HUGE_VAL, next_due_ = -HUGE_VAL;
   std::vector<Node> nodes_;
@@ -116,9 +131,6 @@ class SolidRows {
   bool borders_known_ = false;
   std::vector<Border> borders_;
   std::vector<BorderLine> border_lines_;
-  SpanRecord record_;
-  std::vector<std::uint32_t> mark_;  ///< per face
-  std::uint32_t turn_ = 0;
 };
 
 }  // namespace overstrike

@@ -9,35 +9,63 @@ SolidShadow::SolidShadow(const SolidExpression& expression, std::vector<OperandL
     : expression_(expression),
       lines_(std::move(lines)),
       at_left_(std::move(at_left)),
-      reach_(reach) {
-  if (lines_.size() > kFew)
-    bands_.emplace(rows, lines_.size(),
-                   [&](std::size_t i) { return std::pair(lines_[i].line.y0, lines_[i].line.y1); });
+      within_{-reach, reach},
+      border_(reach + 1) {
+  for (const OperandLine& l : lines_)
+    if (l.plane != kNone) bent_.push_back({l.line.y0, l.line.y1});
+  const auto levels = [&](std::size_t i) {
+    return std::pair(lines_[i].line.y0, lines_[i].line.y1);
+  };
+  if (lines_.size() > kFew) {
+    bands_.emplace(rows, lines_.size(), levels);
+  } else {
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      few_.push_back({levels(i).first, levels(i).second, static_cast<Index>(i)});
+  }
 }
 
-void SolidShadow::sweep_passing(double y, const CastOrder& order, Scratch& scratch,
-                                std::vector<ShadowSpan>& spans) const {
+std::span<const LevelBands::Item> SolidShadow::near(double y) const {
+  return bands_ ? (*bands_)[bands_->band(y)] : few_;
+}
+
+SolidLine SolidShadow::line(Index number) const {
+  const OperandLine& l = lines_[number];
+  return {l.line, l.slack, l.faces, &within_};
+}
+
+/// False where levels are to be resolved by themselves.
+bool SolidShadow::kept_on_level(double y, const CastOrder& order, Scratch& scratch) const {
+  const auto meets = [y](const std::pair<double, double>& levels) {
+    return levels.first <= y && y < levels.second;
+  };
+  if (scratch.coherence != Coherence::all || std::any_of(bent_.begin(), bent_.end(), meets))
+    return false;
+  const auto [found, is_new] =
+      scratch.rows.try_emplace(this, expression_, order, *this, border_, scratch.tools);
+  SolidRows& rows = found->second;
+  if (is_new) rows.begin_at(border_, at_left_);
+  if (!rows.is_worth_while()) return false;
+  rows.on_level(y, near(y), scratch.pieces);
+  return true;
+}
+
+void SolidShadow::sweep_passing(double y, const CastOrder& order, Scratch& scratch) const {
   std::vector<Passing>& passing = scratch.passing;
   if (passing.empty() && at_left_.empty()) return;
+  passing.push_back({-border_, 0, {kNone, kNone}});
+  passing.push_back({border_, 0, {kNone, kNone}});
   sort_passing(passing);
-  // From beyond the first line to beyond the last: what lies over the receiver there may go on.
-  double first = -reach_, last = reach_;
-  if (!passing.empty())
-    first = std::min(first, passing.front().x - 1), last = std::max(last, passing.back().x + 1);
-  passing.insert(passing.begin(), {first, 0, {kNone, kNone}});
-  passing.push_back({last, 0, {kNone, kNone}});
-  scratch.pieces.clear();
-  scratch.solid.begin(expression_, order, y, std::max(-first, last));
-  for (const Index face : at_left_) scratch.solid.pass({face, kNone});
+  SolidSweep& sweeping = scratch.tools.sweep;
+  sweeping.record_in(nullptr);
+  sweeping.begin(expression_, order, y, border_);
+  for (const Index face : at_left_) sweeping.pass({face, kNone});
   const auto pass = [&](const std::array<Index, 2>& faces) {
-    if (faces[0] != kNone) scratch.solid.pass(faces);
+    if (faces[0] != kNone) sweeping.pass(faces);
   };
   sweep(passing, pass, [&](double x0, double x1, double slack0, double slack1) {
-    scratch.solid.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
-                       scratch.pieces);
+    sweeping.span({x0, x1, kNone, static_cast<float>(slack0), static_cast<float>(slack1)},
+                  scratch.pieces);
   });
-  for (const SpanPiece& piece : scratch.pieces)
-    spans.push_back({piece.x0, piece.x1, piece.slack0, piece.slack1});
 }
 
 void unite(std::vector<ShadowSpan>& spans) {

@@ -5,15 +5,17 @@
 // operands' faces, as far as they lie over the receiver, are lines on the receiver's plane, and
 // between two of them the faces have an order towards the light (cast_order.h). Where the solid is
 // entered before the receiver is reached there is shadow.
+#include <algorithm>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/visibility/cast_order.h"
 #include "core/visibility/front_table.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/passing.h"
-#include "core/visibility/solid_sweep.h"
+#include "core/visibility/solid_rows.h"
 
 namespace overstrike {
 
@@ -32,7 +34,7 @@ struct OperandLine {
   std::array<Index, 2> faces;
 };
 
-class SolidShadow {
+class SolidShadow final : public SolidLines {
  public:
   /// Left of all lines the faces of `at_left` are passed. `reach`: bounds |x| where it is asked.
   SolidShadow(const SolidExpression& expression, std::vector<OperandLine> lines,
@@ -40,8 +42,10 @@ class SolidShadow {
 
   /// What one thread needs; of the casting input.
   struct Scratch {
-    explicit Scratch(const Canonical& casting) : solid(casting) {}
-    SolidSweep solid;
+    Scratch(const Canonical& casting, Coherence kept) : tools(casting), coherence(kept) {}
+    SolidTools tools;
+    Coherence coherence;
+    std::unordered_map<const SolidShadow*, SolidRows> rows;  ///< what is kept of each
     std::vector<Passing> passing;
     std::vector<SpanPiece> pieces;
   };
@@ -49,18 +53,25 @@ class SolidShadow {
   template <class XOf>
   void on_level(double y, const CastOrder& order, const XOf& x_of, Scratch& scratch,
                 std::vector<ShadowSpan>& spans) const;
+  SolidLine line(Index number) const override;
 
  private:
-  void sweep_passing(double y, const CastOrder& order, Scratch& scratch,
-                     std::vector<ShadowSpan>& spans) const;
+  std::span<const LevelBands::Item> near(double y) const;
+  bool kept_on_level(double y, const CastOrder& order, Scratch& scratch) const;
+  void sweep_passing(double y, const CastOrder& order, Scratch& scratch) const;
 
   /// Lines that are looked through one by one.
   static constexpr std::size_t kFew = 32;
   const SolidExpression& expression_;
   std::vector<OperandLine> lines_;
   std::vector<Index> at_left_;
-  double reach_;
-  std::optional<LevelBands> bands_;
+  GridWindow within_;  ///< lines beyond are taken for its borders
+  double border_;      ///< where levels begin and end, beyond that
+  /// Levels of lines that are where planes cross: those are not straight to the bit. They are
+  /// nearly level, and few.
+  std::vector<std::pair<double, double>> bent_;
+  std::vector<LevelBands::Item> few_;
+  std::optional<LevelBands> bands_;  ///< where there are many
 };
 
 /// Spans of several solids and bodies, which may overlap, as disjoint ones.
@@ -69,17 +80,19 @@ void unite(std::vector<ShadowSpan>& spans);
 template <class XOf>
 void SolidShadow::on_level(double y, const CastOrder& order, const XOf& x_of, Scratch& scratch,
                            std::vector<ShadowSpan>& spans) const {
-  scratch.passing.clear();
-  const auto meet = [&](const OperandLine& l) {
-    if (l.line.y0 <= y && y < l.line.y1) scratch.passing.push_back({x_of(l), l.slack, l.faces});
-  };
-  if (bands_) {
-    for (const LevelBands::Item& item : (*bands_)[bands_->band(y)])
-      if (item.meets(y)) meet(lines_[item.number]);
-  } else {
-    for (const OperandLine& line : lines_) meet(line);
+  scratch.pieces.clear();
+  if (!kept_on_level(y, order, scratch)) {
+    scratch.passing.clear();
+    for (const LevelBands::Item& item : near(y)) {
+      const OperandLine& l = lines_[item.number];
+      if (!item.meets(y)) continue;
+      const double x = x_of(l), clamped = std::clamp(x, within_.x0, within_.x1);
+      scratch.passing.push_back({clamped, x == clamped ? l.slack : 0, l.faces});
+    }
+    sweep_passing(y, order, scratch);
   }
-  sweep_passing(y, order, scratch, spans);
+  for (const SpanPiece& piece : scratch.pieces)
+    spans.push_back({piece.x0, piece.x1, piece.slack0, piece.slack1});
 }
 
 }  // namespace overstrike

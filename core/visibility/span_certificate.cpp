@@ -12,7 +12,7 @@ bool SpanCertifier::certify(const SlackLine& from, const SlackLine& to, const Sp
   for (const SpanRecord::Part& part : record.parts)
     if (part.crossing[0] != kNone) {
       const DepthPlane p = order_.depth_of(part.crossing[0]);
-      crossings_.emplace_back(p, order_.depth_of(part.crossing[1]), columns_, levels_);
+      crossings_.emplace_back(p, order_.depth_of(part.crossing[1]), reach_, levels_);
     }
   constexpr std::array<Index, 2> kLine{kNone, kNone};
   from_ = {&from, nullptr, kLine, from.slack, from.slack, 1, 0, 0};
@@ -48,8 +48,8 @@ bool SpanCertifier::certify_part(const SpanRecord& record, const SpanRecord::Par
 
 bool SpanCertifier::stays_before(Index face, const DepthPlane& depth, Index other,
                                  const DepthPlane& its, SureLevels& sure) {
-  if (order_.plane_of(face) == order_.plane_of(other)) return true;
-  const DepthDifference d(depth, its, columns_, levels_);
+  if (canonical_.faces[face].plane == canonical_.faces[other].plane) return true;
+  const DepthDifference d(depth, its, reach_, levels_);
   if (leads_at_once(d, from_, sure) && leads_at_once(d, to_, sure)) return true;
   const double until = sure.until;
   if (!leads(d, from_, face, other, sure) || !leads(d, to_, face, other, sure)) return false;

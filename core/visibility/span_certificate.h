@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/visibility/depth_difference.h"
-#include "core/visibility/face_order.h"
+#include "core/visibility/layer_order.h"
 #include "core/visibility/solid_sweep.h"
 
 namespace overstrike {
@@ -15,8 +15,9 @@ namespace overstrike {
 /// One a thread.
 class SpanCertifier {
  public:
-  /// `columns`: how far levels reach.
-  SpanCertifier(const FaceOrder& order, double columns) : order_(order), columns_(columns) {}
+  /// Of `canonical` are the faces. `reach`: bounds |x| where it is asked.
+  SpanCertifier(const Canonical& canonical, const LayerOrder& order, double reach)
+      : canonical_(canonical), order_(order), reach_(reach) {}
 
   /// Brings `sure.until` nearer to where, between the two lines, those that decided in the parts of
   /// the record surely stay in their order and before all that lies behind them. `from.slack`: also
@@ -35,7 +36,9 @@ class SpanCertifier {
     double now, then;      ///< where depths are compared on the first level and on the last one
 
     void look(const SureLevels& sure) { now = x_at(sure.y), then = x_at(sure.until); }
-    double x_at(double y) const { return line != nullptr ? line->x_at(y) + offset : zero->zero_at(y); }
+    double x_at(double y) const {
+      return line != nullptr ? line->x_at(y) + offset : zero->zero_at(y);
+    }
     bool is_of(Index f, Index g) const {
       return (f == crossing[0] && g == crossing[1]) || (f == crossing[1] && g == crossing[0]);
     }
@@ -49,8 +52,9 @@ class SpanCertifier {
   bool parts_in_edge(const DepthDifference& d, const Border& at, Index face, Index other,
                      const SureLevels& sure) const;
 
-  const FaceOrder& order_;
-  double columns_;
+  const Canonical& canonical_;
+  const LayerOrder& order_;
+  double reach_;
   // Of the span in hand.
   double levels_ = 0;                       ///< how far its levels reach
   std::vector<DepthDifference> crossings_;  ///< at which the parts of the record begin

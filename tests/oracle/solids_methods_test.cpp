@@ -200,19 +200,31 @@ TEST(SolidMethods, CoherenceChangesTheWorkAndNotThePicture) {
   EXPECT_LT(behind.updates, none.updates);
 }
 
-/// Lines so near to one another that most of what they show is kept from the one before.
+/// Draws the scene on lines so near to one another that most of what they show is kept from the one
+/// before, and each by itself.
+void draw_keeping_and_anew(const Scene& scene, int n, SolidCounts& kept, SolidCounts& anew) {
+  constexpr double kNear = 1.0 / 32;
+  DrawOptions all, behind;
+  behind.coherence = Coherence::span_and_behind;
+  all.threads = behind.threads = 1;
+  const Drawn one = drawn(scene, all, kNear), other = drawn(scene, behind, kNear);
+  ASSERT_EQ(one, other) << n << ": " << difference(one, other);
+  kept += one.counts, anew += other.counts;
+}
+
 TEST(SolidMethods, WhatIsKeptFromLineToLineIsWhatLinesShowByThemselves) {
   SolidCounts kept, anew;
-  for (int n = 0; n < kTrees; ++n) {
-    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
-    DrawOptions all, behind;
-    behind.coherence = Coherence::span_and_behind;
-    all.threads = behind.threads = 1;
-    const Drawn one = drawn(scene, all, 1.0 / 32), other = drawn(scene, behind, 1.0 / 32);
-    ASSERT_EQ(one, other) << n << ": " << difference(one, other);
-    kept += one.counts, anew += other.counts;
-  }
+  for (int n = 0; n < kTrees; ++n)
+    ASSERT_NO_FATAL_FAILURE(
+        draw_keeping_and_anew(TreeMaker(static_cast<std::uint64_t>(n) + 1).make(), n, kept, anew));
   EXPECT_LT(kept.spans, anew.spans / 4);
+}
+
+TEST(SolidMethods, ShadowsAreKeptAsLinesShowThemByThemselves) {
+  SolidCounts kept, anew;
+  for (int n = 0; n < kTrees; ++n)
+    ASSERT_NO_FATAL_FAILURE(draw_keeping_and_anew(
+        TreeMaker(static_cast<std::uint64_t>(n) + 1).make_lit(), n, kept, anew));
 }
 
 }  // namespace
