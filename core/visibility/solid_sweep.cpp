@@ -416,20 +416,12 @@ Index SolidSweep::find_seen(Candidate& of) {
 /// begins there (TK 3.3.4, step 5). The one that is seen if it does, or kNone.
 Index SolidSweep::enter(Candidate& of, std::span<const Layer> group) {
   SolidExpression::State& state = *of.state;
-  const SolidExpression& expression = *of.expression;
   changed_.clear();
   for (const Layer& layer : group) {
     const bool was_in = winding_[layer.operand] != 0;
     winding_[layer.operand] += layer.enters;
     if (was_in != (winding_[layer.operand] != 0)) changed_.push_back(layer.operand);
   }
-  // In a chain each operand would tell all above it if those were entered before it; to sort pays
-  // where that is more than the steps of sorting.
-  if (changed_.size() > 1 &&
-      expression.depth() > static_cast<Index>(std::bit_width(changed_.size())))
-    std::stable_sort(changed_.begin(), changed_.end(), [&](Index a, Index b) {
-      return expression.last_term(a) > expression.last_term(b);
-    });
   for (const Index operand : changed_) state.flip(operand);
   entered_.insert(entered_.end(), changed_.begin(), changed_.end());
   if (!state.inside()) return kNone;
