@@ -144,7 +144,9 @@ SolidExpression::State::State(const SolidExpression& expression)
     : expression_(&expression),
       decides_(expression.paths_.size()),
       decisive_(expression.terms()),
-      in_(expression.operands(), 0) {
+      operands_(expression.operands(), 0) {
+  for (Index i = 0; i < expression.operands(); ++i)
+    if (expression.leaves(i).empty()) operands_[i] = kFlipped;
   const std::vector<Term>& terms = expression.terms_;
   for (const Term& term : terms) counts_.push_back(term.at_rest);
   for (Index t = expression.terms(); t-- > 0;) {
@@ -156,10 +158,10 @@ SolidExpression::State::State(const SolidExpression& expression)
   }
 }
 
-void SolidExpression::State::flip(Index operand) {
-  const bool now = in_[operand] == 0;
+void SolidExpression::State::count(Index operand) {
+  const bool now = in(operand);
   std::uint64_t updates = 0;
-  in_[operand] = now;
+  operands_[operand] ^= kCounted;
   for (const Leaf& leaf : expression_->leaves(operand)) {
     const bool rises = now != leaf.complement;
     for (Index t = leaf.term; t != kNoTerm;) {

@@ -54,28 +54,51 @@ class SolidExpression {
   std::size_t leaf_count() const { return leaves_.size(); }
 
   /// One place on its way along a line of sight. Outside of everything at first. One a thread.
+  ///
+  /// Terms count when it is asked whether the place is inside, and only what is otherwise than when
+  /// it was asked before: a way through a hundred operands that is undone, to begin another one
+  /// through ninety-nine of them, costs one.
   class State {
    public:
     explicit State(const SolidExpression& expression);
     /// How often a term has counted so far.
     std::uint64_t updates() const { return updates_; }
     /// True when the place is in the solid.
-    bool inside() const { return says(decides_[0]); }
-    bool in(Index operand) const { return in_[operand] != 0; }
+    bool inside() {
+      for (const Index operand : flipped_) {
+        operands_[operand] &= ~kFlipped;
+        const bool counted = (operands_[operand] & kCounted) != 0;
+        if (in(operand) != counted) count(operand);
+      }
+      flipped_.clear();
+      return says(decides_[0]);
+    }
+    bool in(Index operand) const { return (operands_[operand] & kIn) != 0; }
     /// Enters the operand, or leaves it.
-    void flip(Index operand);
+    void flip(Index operand) {
+      operands_[operand] ^= kIn;
+      if ((operands_[operand] & kFlipped) != 0) return;
+      operands_[operand] |= kFlipped;
+      flipped_.push_back(operand);
+    }
 
    private:
+    static constexpr std::uint8_t kIn = 1;
+    static constexpr std::uint8_t kCounted = 2;  ///< is in, as the terms have it
+    static constexpr std::uint8_t kFlipped = 4;  ///< since it was asked; always without leaves
+
     bool says(Index decisive) const {
       return counts_[decisive] >= expression_->terms_[decisive].needed;
     }
+    void count(Index operand);
     bool changes_top(Index t, Index before, Index after);
 
     const SolidExpression* expression_;
     std::vector<Index> counts_;   ///< per term: true members, the next one of its path apart
     std::vector<Index> decides_;  ///< per path: its first decisive term
     RankSet decisive_;            ///< terms
-    std::vector<char> in_;        ///< per operand
+    std::vector<std::uint8_t> operands_;  ///< kIn and so on
+    std::vector<Index> flipped_;  ///< those that are kFlipped, but for operands without leaves
     std::uint64_t updates_ = 0;
   };
 
