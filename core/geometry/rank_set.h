@@ -17,6 +17,10 @@ class RankSet {
     low_[i / 64] |= std::uint64_t{1} << i % 64;
     high_[i / 4096] |= std::uint64_t{1} << i / 64 % 64;
   }
+  void erase(std::size_t i) {
+    low_[i / 64] &= ~(std::uint64_t{1} << i % 64);
+    if (low_[i / 64] == 0) high_[i / 4096] &= ~(std::uint64_t{1} << i / 64 % 64);
+  }
   /// The smallest member >= i, or kNothing.
   std::size_t up(std::size_t i) const {
     std::size_t word = next(low_, i);

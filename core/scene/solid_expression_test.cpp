@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/visibility/test_scenes.h"
@@ -59,6 +60,128 @@ TEST(SolidExpression, IsWhatItsTreeSaysWhereverOnTheWay) {
   EXPECT_GT(inside, 3000);
 }
 
+/// X0 op X1 op X2 ..., each X an operand or a small tree, taken together from the right, from the
+/// left, or now from here and now from there.
+enum class Deep { right, left, mixed };
+Nodes random_chain(std::mt19937_64& random, int length, Deep deep, Index operands) {
+  Nodes chain = random_tree(random, 1, operands);
+  for (int i = 1; i < length; ++i) {
+    const Nodes next = random_tree(random, random() % 4 == 0 ? 3 : 0, operands);
+    const bool right = deep == Deep::mixed ? random() % 2 == 0 : deep == Deep::right;
+    // Differences more often than others: others of one kind become one term.
+    const auto operation = static_cast<SetOperation>(1 + std::min<std::uint64_t>(random() % 5, 2));
+    chain = tree_of(operation,
+                    right ? std::vector<Nodes>{next, chain} : std::vector<Nodes>{chain, next});
+  }
+  return chain;
+}
+
+TEST(SolidExpression, ChainsAreWhatTheirTreesSay) {
+  std::mt19937_64 random(12);
+  int inside = 0, steps = 0;
+  for (const Deep deep : {Deep::right, Deep::left, Deep::mixed})
+    for (int n = 0; n < 60; ++n) {
+      // Paths within a word of decisive terms, and of several.
+      const int length = n % 3 == 0 ? 300 : 30;
+      // With few operands each has leaves all over the chain; with many, terms wait for one.
+      const Index operands = n % 2 == 0 ? 5 : 100;
+      const Nodes tree = random_chain(random, length, deep, operands);
+      const SolidExpression expression(tree, operands);
+      SolidExpression::State state(expression);
+      std::vector<bool> in(operands, false);
+      for (int step = 0; step < 100; ++step) {
+        const auto operand = static_cast<Index>(random() % operands);
+        in[operand] = !in[operand];
+        state.flip(operand);
+        if (random() % 4 == 0) continue;
+        ASSERT_EQ(state.inside(), holds(tree, 0, in)) << n << " " << step;
+        inside += state.inside(), ++steps;
+      }
+    }
+  EXPECT_GT(inside, steps / 10);
+  EXPECT_LT(inside, steps - steps / 10);
+}
+
+/// A0 - (A1 - (A2 - ...)), preorder by hand: composing would take the square of the depth.
+Nodes right_deep(Index operands) {
+  Nodes nodes;
+  for (Index i = 0; i + 1 < operands; ++i) {
+    nodes.push_back({SetOperation::subtract, 0, 2 * operands - 1});
+    nodes.push_back({SetOperation::operand, i, static_cast<Index>(nodes.size() + 1)});
+  }
+  nodes.push_back({SetOperation::operand, operands - 1, 2 * operands - 1});
+  return nodes;
+}
+
+/// A ladder of chains: [A0 - (A1 - ...)] - ([A_m - (A_m+1 - ...)] - (...)), of chains m long.
+Nodes chain_of_chains(Index operands, Index m) {
+  Nodes chain;
+  for (Index first = operands; first > 0; first -= m) {
+    Nodes rung = right_deep(m);
+    for (SolidNode& node : rung)
+      if (node.operation == SetOperation::operand) node.body += first - m;
+    chain = chain.empty() ? rung : tree_of(SetOperation::subtract, {rung, chain});
+  }
+  return chain;
+}
+
+/// How often terms count when all operands are entered and left, from the first on, from the last
+/// on, and here and there.
+std::uint64_t updates_of_passing(const Nodes& tree, Index operands) {
+  const SolidExpression expression(tree, operands);
+  SolidExpression::State state(expression);
+  std::mt19937_64 random(13);
+  for (const bool shuffled : {false, true}) {
+    std::vector<Index> way;
+    for (Index i = 0; i < operands; ++i) way.push_back(i);
+    if (shuffled) std::shuffle(way.begin(), way.end(), random);
+    for (const bool backwards : {false, true}) {
+      if (backwards) std::reverse(way.begin(), way.end());
+      for (const bool in : {true, false}) {
+        bool inside = false;
+        for (const Index i : way) {
+          state.flip(i);
+          EXPECT_EQ(state.in(i), in);
+          inside = state.inside();
+        }
+        EXPECT_TRUE(in || !inside);
+      }
+    }
+  }
+  return state.updates();
+}
+
+TEST(SolidExpression, ToPassAChainCostsWhatItIsLongInAnyOrder) {
+  constexpr Index kOperands = 1024;
+  constexpr double kSlightlyMoreThanTwice = 2.1;
+  const auto grows = [](const Nodes& half, const Nodes& whole) {
+    return static_cast<double>(updates_of_passing(whole, 2 * kOperands)) /
+           static_cast<double>(updates_of_passing(half, kOperands));
+  };
+  EXPECT_LT(grows(right_deep(kOperands), right_deep(2 * kOperands)), kSlightlyMoreThanTwice);
+  EXPECT_LT(grows(chain_of_chains(kOperands, 32), chain_of_chains(2 * kOperands, 32)),
+            kSlightlyMoreThanTwice);
+  // One term a flip, in each of eight passes.
+  EXPECT_EQ(updates_of_passing(right_deep(kOperands), kOperands), 8u * kOperands);
+}
+
+TEST(SolidExpression, WhatIsUndoneBeforeItIsAskedCostsNothing) {
+  constexpr Index kOperands = 100;
+  const Nodes tree = right_deep(kOperands);
+  const SolidExpression expression(tree, kOperands);
+  SolidExpression::State state(expression);
+  for (Index i = 0; i < kOperands; ++i) state.flip(i);
+  EXPECT_FALSE(state.inside());
+  EXPECT_EQ(state.updates(), kOperands);
+  for (Index i = 0; i < kOperands; ++i) state.flip(i);
+  for (Index i = 1; i < kOperands; ++i) state.flip(i);
+  EXPECT_FALSE(state.inside());
+  EXPECT_EQ(state.updates(), kOperands + 1);
+  state.flip(0), state.flip(kOperands - 1);
+  EXPECT_TRUE(state.inside());
+  EXPECT_EQ(state.updates(), kOperands + 3);
+}
+
 TEST(SolidExpression, NestedUnionsAndDifferencesAreOneTerm) {
   constexpr Index kOperands = 50;
   Nodes chain = operand_tree(0);
@@ -74,15 +197,9 @@ TEST(SolidExpression, NestedUnionsAndDifferencesAreOneTerm) {
       1u);
 }
 
-/// A0 - (A1 - (A2 - ...)), preorder by hand: composing would take the square of the depth.
 TEST(SolidExpression, GoesAsDeepAsMemoryDoes) {
   constexpr Index kDepth = 100'000;
-  Nodes nodes;
-  for (Index i = 0; i + 1 < kDepth; ++i) {
-    nodes.push_back({SetOperation::subtract, 0, 2 * kDepth - 1});
-    nodes.push_back({SetOperation::operand, i, static_cast<Index>(nodes.size() + 1)});
-  }
-  nodes.push_back({SetOperation::operand, kDepth - 1, 2 * kDepth - 1});
+  const Nodes nodes = right_deep(kDepth);
   const SolidExpression expression(nodes, kDepth);
   SolidExpression::State state(expression);
   state.flip(kDepth - 1);

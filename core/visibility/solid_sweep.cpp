@@ -423,20 +423,12 @@ Index SolidSweep::find_seen(Candidate& of) {
 /// begins there (TK 3.3.4, step 5). The one that is seen if it does, or kNone.
 Index SolidSweep::enter(Candidate& of, std::span<const Layer> group) {
   SolidExpression::State& state = *of.state;
-  const SolidExpression& expression = *of.expression;
   changed_.clear();
   for (const Layer& layer : group) {
     const bool was_in = winding_[layer.operand] != 0;
     winding_[layer.operand] += layer.enters;
     if (was_in != (winding_[layer.operand] != 0)) changed_.push_back(layer.operand);
   }
-  // In a chain each operand would tell all above it if those were entered before it; to sort pays
-  // where that is more than the steps of sorting.
-  if (changed_.size() > 1 &&
-      expression.depth() > static_cast<Index>(std::bit_width(changed_.size())))
-    std::stable_sort(changed_.begin(), changed_.end(), [&](Index a, Index b) {
-      return expression.last_term(a) > expression.last_term(b);
-    });
   for (const Index operand : changed_) state.flip(operand);
   entered_.insert(entered_.end(), changed_.begin(), changed_.end());
   if (!state.inside()) return kNone;
@@ -449,11 +441,11 @@ Index SolidSweep::enter(Candidate& of, std::span<const Layer> group) {
 Index SolidSweep::choose(SolidExpression::State& state, std::span<const Layer> group) {
   operands_.clear(), candidates_.clear();
   std::sort(changed_.begin(), changed_.end());
-  for (std::size_t i = 0; i < changed_.size(); ++i) {
+  for (auto same = changed_.begin(); same != changed_.end();) {
+    const auto end = std::find_if(same, changed_.end(), [&](Index o) { return o != *same; });
     // What was flipped back did not change.
-    const auto times = std::count(changed_.begin(), changed_.end(), changed_[i]);
-    if (times % 2 != 0 && (i == 0 || changed_[i] != changed_[i - 1]))
-      operands_.push_back(changed_[i]);
+    if ((end - same) % 2 != 0) operands_.push_back(*same);
+    same = end;
   }
   for (const Layer& layer : group) turned_[layer.operand] += layer.enters;
   for (const Layer& layer : group) {
@@ -463,11 +455,14 @@ Index SolidSweep::choose(SolidExpression::State& state, std::span<const Layer> g
   }
   for (const Layer& layer : group) turned_[layer.operand] = 0;
   const Canonical& c = canonical_;
-  std::sort(candidates_.begin(), candidates_.end(),
-            [&](Index f, Index g) { return wins_tie(c, f, g); });
-  for (const Index face : candidates_)
+  Index first = kNone;
+  while (!candidates_.empty()) {
+    const Index face = ties_.of(candidates_);
     if (needed(state, c.memberships[c.faces[face].body].operand, operands_)) return face;
-  return candidates_.empty() ? group.front().face : candidates_.front();
+    if (first == kNone) first = face;
+    std::erase(candidates_, face);
+  }
+  return first == kNone ? group.front().face : first;
 }
 
 /// True when there are changes with which the solid does not begin without the operand's, and does
@@ -476,6 +471,9 @@ Index SolidSweep::choose(SolidExpression::State& state, std::span<const Layer> g
 bool SolidSweep::needed(SolidExpression::State& state, Index operand,
                         std::span<const Index> changed) {
   constexpr std::size_t kFew = 10;
+  // With all others made it began there: without this one it does not.
+  state.flip(operand);
+  if (!state.inside()) return state.flip(operand), true;
   others_.clear();
   for (const Index other : changed)
     if (other != operand) others_.push_back(other);
@@ -488,15 +486,13 @@ bool SolidSweep::needed(SolidExpression::State& state, Index operand,
   };
   made_.assign(others_.size(), 1);
   const auto flip_other = [&](std::size_t i) { state.flip(others_[i]), made_[i] ^= 1; };
-  state.flip(operand);
-  // With all others made it began there: without this one it does not.
-  bool result = !state.inside();
+  bool result = false;
   if (others_.size() <= kFew) {
     for (std::size_t step = 1; !result && step < std::size_t{1} << others_.size(); ++step) {
       flip_other(static_cast<std::size_t>(std::countr_zero(step)));
       result = flips_the_solid();
     }
-  } else if (!result) {
+  } else {
     for (std::size_t i = 0; i < others_.size() && state.inside(); ++i) flip_other(i);
     result = flips_the_solid();
   }

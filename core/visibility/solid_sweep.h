@@ -16,6 +16,7 @@
 #include "core/visibility/layer_order.h"
 #include "core/visibility/solid_options.h"
 #include "core/visibility/span_split.h"
+#include "core/visibility/tie.h"
 
 namespace overstrike {
 
@@ -40,7 +41,7 @@ class SolidSweep {
  public:
   /// Of `canonical` are the faces.
   explicit SolidSweep(const Canonical& canonical, const SolidOptions& options = {})
-      : canonical_(canonical), options_(options) {}
+      : canonical_(canonical), options_(options), ties_(canonical) {}
   ~SolidSweep();
   SolidSweep(const SolidSweep&) = delete;
   SolidSweep& operator=(const SolidSweep&) = delete;
@@ -144,6 +145,7 @@ class SolidSweep {
   std::vector<int> winding_;  ///< per operand; 0 between two questions
   std::vector<int> turned_;   ///< of that by the faces of one plane; 0 between two questions
   std::vector<Index> entered_, changed_, operands_, candidates_, others_;
+  FirstOfTied ties_;
   std::vector<char> made_;  ///< per one of others_: whether its change is made
 };
 

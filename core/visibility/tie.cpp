@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,32 @@ bool wins_tie(const Canonical& c, Index f, Index g) {
   if (a.density_factor != b.density_factor) return a.density_factor > b.density_factor;
   if (a.smooth != b.smooth) return b.smooth;
   return precedes(c, f, g);
+}
+
+Index FirstOfTied::of(std::span<const Index> faces) {
+  // What is kept is a number for each face of the scene: not for a few.
+  constexpr std::size_t kFew = 8;
+  const bool keeps = faces.size() > kFew;
+  if (keeps && lost_to_.empty()) {
+    lost_to_.resize(canonical_.faces.size());
+    std::iota(lost_to_.begin(), lost_to_.end(), Index{0});
+    asked_.resize(canonical_.faces.size(), 0);
+  }
+  if (keeps) ++question_;
+  for (std::size_t i = 0; keeps && i < faces.size(); ++i) asked_[faces[i]] = question_;
+  Index first = kNone;
+  for (const Index face : faces) {
+    if (keeps && loses(face)) continue;
+    const bool wins = first == kNone || wins_tie(canonical_, face, first);
+    if (keeps && first != kNone) lost_to_[wins ? first : face] = wins ? face : first;
+    if (wins) first = face;
+  }
+  return first;
+}
+
+/// It has lost to one that is there.
+bool FirstOfTied::loses(Index face) {
+  return lost_to_[face] != face && asked_[lost_to_[face]] == question_;
 }
 
 }  // namespace overstrike

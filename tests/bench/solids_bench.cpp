@@ -120,7 +120,8 @@ void register_all() {
     for (const bool below : {false, true})
       add_alone("nested:" + std::to_string(n) + (below ? "/below" : "/above"),
                 [=] { return nested_differences(n, below); });
-  add_alone("left_deep:200", [] { return left_deep(200); });
+  for (const int n : {200, 2000})
+    add_alone("left_deep:" + std::to_string(n), [=] { return left_deep(n); });
   add_alone("right_deep:200", [] { return right_deep(200); });
   add_alone("cups:100000", [] { return cups(100'000); });
   add_alone(
