@@ -19,10 +19,9 @@ std::vector<std::vector<WorldBox>> bounds_of_operands(const Canonical& c) {
   return bounds;
 }
 
-/// A union of intersections, or either.
-bool is_sum_of_products(const SolidExpression& expression) {
+bool is_two_terms_deep(const SolidExpression& expression) {
   for (Index t = 1; t < expression.terms(); ++t)
-    if (expression.term(t).parent != 0 || expression.term(0).needed != 1) return false;
+    if (expression.term(t).parent != 0) return false;
   return true;
 }
 
@@ -37,6 +36,12 @@ std::string name_of(const CanonicalSolid& solid) {
                        std::to_string(SolidProducts::kMostElements) +
                        " elements: their number doubles with each difference of differences",
                    "boolean tree draws it");
+}
+
+SolidExpression as_products(const CanonicalSolid& solid, std::span<const WorldBox> bounds) {
+  const auto products = SolidProducts::of(solid.expression, bounds);
+  if (!products) refuse_products(solid);
+  return SolidExpression(products->nodes(), solid.expression.operands());
 }
 
 }  // namespace
@@ -65,31 +70,57 @@ std::vector<SolidNode> uncut(const std::vector<SolidNode>& nodes) {
   return kept;
 }
 
+std::size_t most_updates(const SolidExpression& expression, const SolidExpression& in) {
+  std::vector<std::size_t> up(expression.terms(), 1);  // from each term up to the root, with both
+  for (Index t = 1; t < expression.terms(); ++t) up[t] = up[expression.term(t).parent] + 1;
+  std::size_t sum = 0;
+  for (Index operand = 0; operand < expression.operands(); ++operand) {
+    if (in.leaves(operand).empty()) continue;
+    for (const SolidExpression::Leaf& leaf : expression.leaves(operand)) sum += up[leaf.term];
+  }
+  return sum;
+}
+
+bool has_few_updates(const SolidExpression& expression) {
+  if (!is_two_terms_deep(expression)) return false;
+  if (expression.term(0).needed == 1) return true;
+  for (Index operand = 0; operand < expression.operands(); ++operand)
+    if (expression.leaves(operand).size() > 1) return false;
+  return true;
+}
+
+std::optional<SolidExpression> fewer_updates(const SolidExpression& tree,
+                                             std::span<const WorldBox> bounds) {
+  const auto products = SolidProducts::of(tree, bounds, kMostElementsPerLeaf * tree.leaf_count());
+  if (!products) return std::nullopt;
+  SolidExpression sum(products->nodes(), tree.operands());
+  if (most_updates(sum, sum) >= most_updates(tree, sum)) return std::nullopt;
+  return sum;
+}
+
 std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(
     const Canonical& canonical, BooleanForm form, std::optional<double> translucent) {
   std::vector<std::shared_ptr<const CanonicalSolid>> solids = canonical.solids;
   std::vector<std::vector<WorldBox>> bounds;
+  const auto bounds_of = [&](std::size_t s) -> std::span<const WorldBox> {
+    if (bounds.empty()) bounds = bounds_of_operands(canonical);
+    return bounds[s];
+  };
   for (std::size_t s = 0; s < solids.size(); ++s) {
     const CanonicalSolid& tree = *canonical.solids[s];
-    std::optional<SolidProducts> products;
-    const bool few_do = form == BooleanForm::automatic && !is_sum_of_products(tree.expression);
-    if (form == BooleanForm::products || few_do) {
-      if (bounds.empty()) bounds = bounds_of_operands(canonical);
-      products = SolidProducts::of(tree.expression, bounds[s],
-                                   few_do ? kFewElementsPerLeaf * tree.expression.leaf_count()
-                                          : SolidProducts::kMostElements);
-      if (!products && !few_do) refuse_products(tree);
-    }
+    std::optional<SolidExpression> sum;
+    if (form == BooleanForm::automatic && !has_few_updates(tree.expression))
+      sum = fewer_updates(tree.expression, bounds_of(s));
+    if (form == BooleanForm::products) sum = as_products(tree, bounds_of(s));
     const double shown = translucent.value_or(tree.translucent);
-    if (!products && !(shown > 0)) continue;
+    if (!sum && !(shown > 0)) continue;
     auto solid = std::make_shared<CanonicalSolid>(tree);
-    const Index operands = tree.expression.operands();
     // The tree stays, and with it where operands matter: so no form moves an end by a rounding.
-    if (products) solid->expression = SolidExpression(products->nodes(), operands);
+    if (sum) solid->expression = std::move(*sum);
     solid->translucent = shown;
     if (shown > 0) {
       std::vector<SolidNode> nodes = uncut(tree.nodes);
-      SolidExpression expression(nodes, operands);
+      SolidExpression expression(nodes, tree.expression.operands());
       solid->uncut = UncutSolid{std::move(nodes), std::move(expression)};
     }
     solids[s] = std::move(solid);

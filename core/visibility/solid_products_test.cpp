@@ -11,6 +11,7 @@ namespace overstrike {
 namespace {
 
 using testing::operand_tree;
+using testing::random_tree;
 using testing::tree_of;
 using Nodes = std::vector<SolidNode>;
 
@@ -27,15 +28,6 @@ std::vector<WorldBox> together(Index operands) {
 SolidProducts products_of(const Nodes& nodes, const std::vector<WorldBox>& bounds) {
   const SolidExpression expression(nodes, static_cast<Index>(bounds.size()));
   return SolidProducts::of(expression, bounds).value();
-}
-
-Nodes random_tree(std::mt19937_64& random, int depth, Index operands) {
-  const auto below = [&](std::size_t n) { return random() % n; };
-  if (depth == 0 || below(4) == 0) return operand_tree(static_cast<Index>(below(operands)));
-  std::vector<Nodes> members;
-  for (std::size_t i = below(8) == 0 ? 0 : 1 + below(3); i > 0; --i)
-    members.push_back(random_tree(random, depth - 1, operands));
-  return tree_of(static_cast<SetOperation>(1 + below(3)), members);
 }
 
 TEST(SolidProducts, AreTheSetThatTheTreeIs) {

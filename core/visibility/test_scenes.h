@@ -39,6 +39,17 @@ inline std::vector<SolidNode> tree_of(SetOperation operation,
   return nodes;
 }
 
+/// Up to so deep, of operands 0 to `operands` - 1; some of its nodes have no members.
+inline std::vector<SolidNode> random_tree(std::mt19937_64& random, int depth,
+                                          std::uint32_t operands) {
+  const auto below = [&](std::size_t n) { return random() % n; };
+  if (depth == 0 || below(4) == 0) return operand_tree(static_cast<std::uint32_t>(below(operands)));
+  std::vector<std::vector<SolidNode>> members;
+  for (std::size_t i = below(8) == 0 ? 0 : 1 + below(3); i > 0; --i)
+    members.push_back(random_tree(random, depth - 1, operands));
+  return tree_of(static_cast<SetOperation>(1 + below(3)), members);
+}
+
 /// Looking straight down on [0, columns] x [0, rows] of the world's x and -y, one unit a cell.
 inline void look_down(Scene& scene, double columns, double rows) {
   scene.camera.look_at = Vec3(columns / 2, -rows / 2, 0);

@@ -1,7 +1,7 @@
 """Curves as SVG, nothing but lines and words."""
 import math
 
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 320, 56, 16, 96, 44
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 326, 56, 22, 96, 44
 DASHES = ("", "6 3", "2 3", "8 3 2 3")
 
 
@@ -37,7 +37,7 @@ def svg(x_label, y_label, curves):
         out.append(line(0, y, xs[-1], y))
         labels.append(words(LEFT - 6, place(0, y)[1] + 4, "end", f"{y:g}"))
     labels.append(words((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 8, "middle", x_label))
-    labels.append(words(LEFT, TOP - 5, "middle", y_label))
+    labels.append(words(LEFT, TOP - 9, "start", y_label))
     taken = []
     for (name, curve), dash in zip(curves.items(), DASHES):
         path = "L".join(f"{place(*p)[0]:.1f} {place(*p)[1]:.1f}" for p in curve)
