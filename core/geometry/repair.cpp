@@ -58,8 +58,7 @@ class Repairer {
     drop_copies();
     name_crossing();
     split_unplanar();
-    if (!options_.open) orient();
-    if (!options_.open) name_open_edges();
+    if (!options_.open) name_open_edges(orient());
     compact();
     const bool crosses = std::find(crossing_.begin(), crossing_.end(), true) != crossing_.end();
     return {std::move(p_), crosses};
@@ -223,11 +222,13 @@ class Repairer {
   }
 
   void name_crossing() {
-    crossing_.assign(p_.face_count(), false);
+    crossing_.assign(p_.face_count(), false), off_.assign(p_.face_count(), 0);
     std::vector<Index> faces;
     for (Index f = 0; f < p_.face_count(); ++f) {
-      if (is_triangle(f) || unplanar(f) > 0) continue;
-      if (!crosses_itself(loops_of(f), fit_plane(p_, f).normal)) continue;
+      if (is_triangle(f)) continue;
+      const PlaneFit fit = fit_plane(p_, f);
+      off_[f] = unplanar(f, fit);
+      if (off_[f] > 0 || !crosses_itself(loops_of(f), fit.normal)) continue;
       crossing_[f] = true;
       faces.push_back(f);
     }
@@ -237,8 +238,7 @@ class Repairer {
 
   /// How far the face's vertices are off its plane, beyond what their rounding and the turn of the
   /// plane that it allows explain; 0 when it explains all.
-  double unplanar(Index f) const {
-    const PlaneFit fit = fit_plane(p_, f);
+  double unplanar(Index f, const PlaneFit& fit) const {
     double off = 0;
     bool explained = true;
     for (Index i = p_.first_index(p_.first_loop(f)); i < p_.loop_ends[p_.face_ends[f] - 1]; ++i) {
@@ -256,12 +256,10 @@ class Repairer {
     std::vector<bool> split(p_.face_count(), false);
     double worst = 0;
     for (Index f = 0; f < p_.face_count(); ++f) {
-      if (is_triangle(f) || crossing_[f]) continue;
-      const double off = unplanar(f);
-      if (!(off > 0)) continue;
+      if (!(off_[f] > 0)) continue;
       split[f] = true;
       faces.push_back(f);
-      worst = std::fmax(worst, off);
+      worst = std::fmax(worst, off_[f]);
     }
     if (faces.empty()) return;
     flaws_.push_back(joined({names(faces), faces.size() == 1 ? " is" : " are",
@@ -305,8 +303,10 @@ class Repairer {
     p_ = std::move(out);
   }
 
-  void orient() {
-    const Orientation found = consistent_orientation(p_, pair_edges(p_));
+  /// The result: the edges as they are then.
+  std::vector<EdgePair> orient() {
+    std::vector<EdgePair> edges = pair_edges(p_);
+    const Orientation found = consistent_orientation(p_, edges);
     if (found.one_sided) flaws_.push_back("its faces have no consistent inside and outside");
     if (!found.turn.empty() && !found.one_sided) {
       std::vector<Index> faces;
@@ -315,20 +315,22 @@ class Repairer {
       tell(faces, " looks the other way than its neighbours: turned",
            " look the other way than their neighbours: turned");
       turn(found.turn);
+      edges = pair_edges(p_);
     }
-    const std::vector<bool> reversed = inside_out(p_, pair_edges(p_));
-    if (reversed.empty()) return;
+    const std::vector<bool> reversed = inside_out(p_, edges);
+    if (reversed.empty()) return edges;
     const std::size_t count = std::count(reversed.begin(), reversed.end(), true);
     flaws_.push_back(count == reversed.size() ? "inside out: turned"
                                               : joined({"a part of ", std::to_string(count),
                                                         " faces is inside out: turned"}));
     turn(reversed);
+    return pair_edges(p_);
   }
 
-  void name_open_edges() {
+  void name_open_edges(const std::vector<EdgePair>& edges) {
     std::size_t count = 0;
     std::string named;
-    for (const EdgePair& e : pair_edges(p_)) {
+    for (const EdgePair& e : edges) {
       if (e.right != kNoFace) continue;
       if (++count <= kNamed)
         named += joined({count > 1 ? ", " : "", to_text(p_.vertices[e.from]), " to ",
@@ -359,6 +361,7 @@ class Repairer {
   std::vector<std::string>& flaws_;
   std::vector<Index> number_;  ///< per face, the input's
   std::vector<bool> crossing_;
+  std::vector<double> off_;  ///< per face: how far its vertices are off its plane, as unplanar()
   double error_ = 0;
 };
 

@@ -63,6 +63,19 @@ void pair_group(Index low, std::span<const HalfEdge> group, std::vector<EdgePair
   }
 }
 
+/// By the higher vertex, ups first, the order of the loops kept. Few sides begin in a vertex: for
+/// those the library's sort, which asks for memory, takes longer than the rest of the pairing.
+void sort_bucket(std::span<HalfEdge> bucket) {
+  const auto before = [](const HalfEdge& a, const HalfEdge& b) {
+    return a.high != b.high ? a.high < b.high : a.up > b.up;
+  };
+  constexpr std::size_t kFew = 16;
+  if (bucket.size() > kFew) return std::stable_sort(bucket.begin(), bucket.end(), before);
+  for (std::size_t i = 1; i < bucket.size(); ++i)
+    for (std::size_t k = i; k > 0 && before(bucket[k], bucket[k - 1]); --k)
+      std::swap(bucket[k], bucket[k - 1]);
+}
+
 }  // namespace
 
 std::vector<EdgePair> pair_edges(const Polyhedron& polyhedron) {
@@ -71,9 +84,7 @@ std::vector<EdgePair> pair_edges(const Polyhedron& polyhedron) {
   pairs.reserve(polyhedron.indices.size() / 2 + 1);
   for (std::size_t low = 0; low < buckets.size(); ++low) {
     const std::span<HalfEdge> bucket = buckets.of(low);
-    std::stable_sort(bucket.begin(), bucket.end(), [](const HalfEdge& a, const HalfEdge& b) {
-      return a.high != b.high ? a.high < b.high : a.up > b.up;
-    });
+    sort_bucket(bucket);
     for (std::size_t i = 0, end; i < bucket.size(); i = end) {
       for (end = i; end < bucket.size() && bucket[end].high == bucket[i].high;) ++end;
       pair_group(static_cast<Index>(low), bucket.subspan(i, end - i), pairs);

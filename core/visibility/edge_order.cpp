@@ -3,8 +3,8 @@
 namespace overstrike {
 
 void EdgeOrder::set_line(std::size_t at, const SlackLine& line) {
-  x0_[at] = line.x0, y0_[at] = line.y0, y1_[at] = line.y1, slope_[at] = line.slope;
-  slack_[at] = line.slack;
+  x0_[at] = line.x0, y0_[at] = line.y0, slope_[at] = line.slope;
+  others_[at].y1 = line.y1, others_[at].slack = line.slack;
 }
 
 std::size_t EdgeOrder::next_due(std::size_t from, double y) const {
@@ -35,7 +35,7 @@ std::size_t EdgeOrder::next_out_of_order(std::size_t from) const {
 
 void EdgeOrder::insert(std::size_t at, Index node, const SlackLine& line, double y) {
   each([at](auto& of) { of.emplace(of.begin() + static_cast<std::ptrdiff_t>(at)); });
-  node_[at] = node, shows_[at] = kNoSpan;
+  others_[at].node = node, shows_[at] = kNoSpan;
   set_line(at, line), touch(at);
   x_[at] = line.x_at(y);
 }

@@ -16,13 +16,13 @@ class EdgeOrder {
   /// whose span shows more than a face, or not surely the same on the next level.
   static constexpr Index kNoSpan = kNone - 1, kSeveral = kNone - 2;
 
-  std::size_t size() const { return node_.size(); }
-  Index node(std::size_t at) const { return node_[at]; }
+  std::size_t size() const { return x_.size(); }
+  Index node(std::size_t at) const { return others_[at].node; }
   SlackLine line(std::size_t at) const {
-    return {x0_[at], y0_[at], y1_[at], slope_[at], slack_[at]};
+    return {x0_[at], y0_[at], others_[at].y1, slope_[at], others_[at].slack};
   }
-  double y1(std::size_t at) const { return y1_[at]; }
-  float slack(std::size_t at) const { return slack_[at]; }
+  double y1(std::size_t at) const { return others_[at].y1; }
+  float slack(std::size_t at) const { return others_[at].slack; }
   /// From there something about the edge or the span to its right may be otherwise.
   double until(std::size_t at) const { return until_[at]; }
   /// The face of the span, kNone where there is nothing to see, kNoSpan, or kSeveral.
@@ -65,14 +65,17 @@ class EdgeOrder {
  private:
   template <class Visit>
   void each(const Visit& visit) {
-    visit(x_), visit(x0_), visit(y0_), visit(slope_), visit(until_), visit(shows_), visit(y1_),
-        visit(slack_), visit(node_);
+    visit(x_), visit(x0_), visit(y0_), visit(slope_), visit(until_), visit(shows_), visit(others_);
   }
   std::vector<double> x_, x0_, y0_, slope_, until_;
   std::vector<Index> shows_;
-  std::vector<double> y1_;
-  std::vector<float> slack_;
-  std::vector<Index> node_;
+  /// What is asked of few of them.
+  struct Others {
+    double y1;
+    float slack;
+    Index node;
+  };
+  std::vector<Others> others_;
 };
 
 }  // namespace overstrike
