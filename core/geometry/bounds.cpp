@@ -72,4 +72,11 @@ Bounds bounds(const Shape& shape, const Affine& placement) {
       shape);
 }
 
+Bounds BoundsOfCopies::operator()(const Shape& shape, const Affine& placement) {
+  if (std::holds_alternative<Mesh>(shape) || is_curved(shape)) return bounds(shape, placement);
+  const auto [found, is_new] = vertices_.try_emplace(&shape);
+  if (is_new) found->second = tessellate(shape, 0, false).vertices;
+  return bounds_of(found->second, placement);
+}
+
 }  // namespace overstrike

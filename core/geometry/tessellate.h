@@ -1,5 +1,9 @@
 #pragma once
 // From a shape as it was said to faces.
+#include <string>
+#include <unordered_map>
+#include <vector>
+
 #include "core/geometry/polyhedron.h"
 #include "core/scene/shapes.h"
 
@@ -40,5 +44,15 @@ struct Bounds {
   void add(const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
 Bounds bounds(const Shape& shape, const Affine& placement);
+
+/// The same of many bodies: flat-faced shapes find their vertices once, however many copies they
+/// have. The shapes must outlive this.
+class BoundsOfCopies {
+ public:
+  Bounds operator()(const Shape& shape, const Affine& placement);
+
+ private:
+  std::unordered_map<const Shape*, std::vector<Vec3>> vertices_;
+};
 
 }  // namespace overstrike

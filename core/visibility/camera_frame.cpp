@@ -75,6 +75,7 @@ std::optional<Vec3> from(const std::optional<Vec3>& p, const Vec3& origin) {
 
 Bounds scene_bounds(const Scene& scene, const Vec3& origin) {
   Bounds all;
+  BoundsOfCopies bounds;
   for (const Body& body : scene.bodies) {
     if (body.shape == nullptr) continue;
     const Affine placement = from_origin(body.placement, origin);

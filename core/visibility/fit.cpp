@@ -133,7 +133,8 @@ void add_pattern(Fitter& fitter, const Pattern& pattern, const Affine& placement
     fitter.add_line(placement(pattern.points[i > 0 ? i - 1 : 0]), placement(pattern.points[i]));
 }
 
-std::optional<Window> window_of(const Scene& scene, Fitter fitter, Outlines& outlines) {
+std::optional<Window> window_of(const Scene& scene, Fitter fitter, Outlines& outlines,
+                                BoundsOfCopies& bounds) {
   const Vec3& origin = fitter.origin();
   for (const Segment& s : scene.segments) fitter.add_line(s.from - origin, s.to - origin);
   for (const Body& body : scene.bodies) {
@@ -152,9 +153,10 @@ std::optional<Window> window_of(const Scene& scene, Fitter fitter, Outlines& out
 
 std::optional<Window> fitted_window(const Scene& scene, const CameraFrame& frame) {
   Outlines outlines;
-  const std::optional<Window> above = window_of(scene, {scene, frame, true}, outlines);
+  BoundsOfCopies bounds;
+  const std::optional<Window> above = window_of(scene, {scene, frame, true}, outlines, bounds);
   if (!above || !above->empty()) return above;
-  return window_of(scene, {scene, frame, false}, outlines);
+  return window_of(scene, {scene, frame, false}, outlines, bounds);
 }
 
 }  // namespace overstrike
