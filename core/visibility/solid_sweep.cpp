@@ -91,8 +91,8 @@ bool SolidSweep::was_before(const Layer& a, const Layer& b, double middle, doubl
 }
 
 void SolidSweep::copy_active(std::vector<Index>& faces) const {
-  faces.clear();
-  for (const Layer& layer : layers_) faces.push_back(layer.face);
+  faces.resize(layers_.size());
+  for (std::size_t i = 0; i < layers_.size(); ++i) faces[i] = layers_[i].face;
 }
 
 void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(faces); }
@@ -365,9 +365,9 @@ void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces,
 }
 
 void SolidSweep::record(const std::array<Index, 2>& crossing) {
-  const std::size_t first = record_->faces.size();
-  for (const Layer& layer : layers_) record_->faces.push_back(layer.face);
-  const std::size_t end = record_->faces.size();
+  const std::size_t first = record_->faces.size(), end = first + layers_.size();
+  record_->faces.resize(end);
+  for (std::size_t i = first; i < end; ++i) record_->faces[i] = layers_[i - first].face;
   record_->parts.push_back(
       {crossing, solid_.face, first, std::min(first + solid_.decided, end), end});
 }
@@ -411,7 +411,7 @@ Index SolidSweep::find_seen(Candidate& of) {
     of.decided = first + 1;
     look_through(at_end_);
   }
-  for (const Layer& layer : layers_) winding_[layer.operand] = 0;
+  for (std::size_t i = 0; i < first; ++i) winding_[layers_[i].operand] = 0;
   for (const Layer& layer : at_end_) winding_[layer.operand] = 0;
   counts_.flips += entered_.size();
   for (auto operand = entered_.rbegin(); operand != entered_.rend(); ++operand)
