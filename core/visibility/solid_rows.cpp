@@ -9,9 +9,6 @@ namespace {
 
 constexpr double kNotClamped = std::numeric_limits<double>::quiet_NaN();
 
-/// Nodes are surely apart when they are by so many of their slacks, and surely together when they
-/// are within so small a part of the smaller one: where spans are looked for (passing.h) the
-/// comparison is with the sum of both.
 /// What a resolved span costs in all, in spans of a level that is resolved by itself: by measuring
 /// nine prisms on 128 to 4096 levels.
 constexpr double kPrice = 4;
@@ -19,6 +16,9 @@ constexpr double kPrice = 4;
 constexpr double kMostLost = 4;
 constexpr int kLeastRest = 8, kMostRest = 256;
 
+/// Nodes are surely apart when they are by so many of their slacks, and surely together when they
+/// are within so small a part of the smaller one: where spans are looked for (passing.h) the
+/// comparison is with the sum of both.
 constexpr double kApart = 8, kTogether = 1.0 / 4, kSlacksAlike = 4;
 
 }  // namespace
@@ -52,7 +52,7 @@ void SolidRows::on_level(double y, std::span<const LevelBands::Item> near,
     next_due_ = met_.due(), borders_known_ = false;
   } else {
     if (!borders_known_) note_borders();
-    show_kept(y, pieces);
+    borders_.show(y, order_, pieces);
   }
   learn();
   y_ = y, band_ = near;
@@ -325,40 +325,10 @@ double SolidRows::certify_span(std::size_t left, std::size_t at, double y) {
   return certifier_.certify(from, to, tools_.record, sure) ? sure.until : y;
 }
 
-namespace {
-
-/// Makes pieces of what is seen from one place on, and from the next. Neighbours of one face become
-/// one piece.
-class Pieces {
- public:
-  explicit Pieces(std::vector<SpanPiece>& pieces) : pieces_(pieces) {}
-  Index face() const { return open_.face; }
-  /// `slack1` bounds the error of the place as an end, `slack0` as a beginning.
-  void turn(double x, float slack1, float slack0, Index face) {
-    open_.x1 = x, open_.slack1 = slack1;
-    if (open_.face != kNone) append(open_);
-    open_ = {x, x, face, slack0, 0};
-  }
-  void append(const SpanPiece& piece) {
-    SpanPiece* const last = pieces_.empty() ? nullptr : &pieces_.back();
-    if (last != nullptr && last->x1 == piece.x0 && last->face == piece.face) {
-      last->x1 = piece.x1, last->slack1 = piece.slack1;
-    } else {
-      pieces_.push_back(piece);
-    }
-  }
-
- private:
-  std::vector<SpanPiece>& pieces_;
-  SpanPiece open_{0, 0, kNone, 0, 0};
-};
-
-}  // namespace
-
 /// Shows a level on which nodes have been put in order: spans that were resolved on it as they
 /// were, others by what is kept of them.
 void SolidRows::show_resolved(double y, std::vector<SpanPiece>& pieces) {
-  Pieces shown(pieces);
+  PieceMaker shown(pieces);
   std::size_t end = 0;  // of the spans that were gone over
   for (std::size_t i = 0; (i = met_.next_showing_other(end, shown.face())) < met_.size();
        end = i + 1) {
@@ -392,53 +362,27 @@ float SolidRows::most_slack(std::size_t left, std::size_t at) const {
 
 /// For levels at which nothing is due.
 void SolidRows::note_borders() {
-  borders_.clear(), border_lines_.clear();
+  borders_.clear();
   borders_known_ = true;
-  Index face = kNone;
-  for (std::size_t i = 0; (i = met_.next_showing_other(i, face)) < met_.size(); ++i) {
+  for (std::size_t i = 0; (i = met_.next_showing_other(i, borders_.face())) < met_.size(); ++i) {
     const std::size_t left = met_.first_beside(i);
-    face = met_.shows(i);
-    if (face != EdgeOrder::kSeveral) {
-      add_border(left, i + 1, face);
+    if (met_.shows(i) != EdgeOrder::kSeveral) {
+      add_border(left, i + 1, met_.shows(i));
       continue;
     }
     const std::vector<Part>& parts = node(i).parts;
-    add_border(left, i + 1, parts[0].seen);
+    if (parts[0].seen != borders_.face()) add_border(left, i + 1, parts[0].seen);
     for (std::size_t part = 1; part < parts.size(); ++part)
-      borders_.push_back({parts[part].crossing, 0, 0, parts[part].seen});
-    face = parts.back().seen;
+      borders_.add_crossing(parts[part].crossing, parts[part].seen);
   }
-  add_border(met_.first_beside(met_.size()), met_.size(), kNone);
+  const std::size_t last = met_.first_beside(met_.size());
+  if (borders_.face() != kNone) add_border(last, met_.size(), kNone);
 }
 
-/// Of the nodes [left, end), which meet the level in one place.
+/// At the nodes [left, end), which meet the level in one place.
 void SolidRows::add_border(std::size_t left, std::size_t end, Index face) {
-  if (face == (borders_.empty() ? kNone : borders_.back().face)) return;
-  const auto first = static_cast<Index>(border_lines_.size());
-  for (std::size_t i = left; i < end; ++i)
-    border_lines_.push_back({met_.line(i), node(i).line.faces});
-  borders_.push_back({{kNone, kNone}, first, static_cast<Index>(border_lines_.size()), face});
-}
-
-void SolidRows::show_kept(double y, std::vector<SpanPiece>& pieces) const {
-  Pieces shown(pieces);
-  for (const Border& border : borders_) {
-    if (border.crossing[0] != kNone) {
-      const double x = order_.crossing(border.crossing[0], border.crossing[1], y);
-      shown.turn(x, 0, 0, border.face);
-      continue;
-    }
-    const BorderLine* first = &border_lines_[border.first];
-    double least = first->line.x_at(y);
-    float slack = first->line.slack;
-    for (Index i = border.first + 1; i < border.end; ++i) {
-      const BorderLine& other = border_lines_[i];
-      const double x = other.line.x_at(y);
-      if (x < least || (x == least && other.faces < first->faces)) first = &other, least = x;
-      slack = std::max(slack, other.line.slack);
-    }
-    shown.turn(least, first->line.slack, slack, border.face);
-  }
+  borders_.add(face);
+  for (std::size_t i = left; i < end; ++i) borders_.add_line(met_.line(i), node(i).line.faces);
 }
 
 }  // namespace overstrike

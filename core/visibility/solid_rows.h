@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/visibility/edge_order.h"
+#include "core/visibility/kept_borders.h"
 #include "core/visibility/level_bands.h"
 #include "core/visibility/passing.h"
 #include "core/visibility/solid_lines.h"
@@ -72,17 +73,6 @@ class SolidRows {
     std::vector<Part> parts;        ///< from left to right; none follows one of the same face
     std::vector<SpanPiece> pieces;  ///< at the level it was resolved at
   };
-  /// On levels at which nothing is due: a border of what is seen, and the face to its right. It is
-  /// a crossing, or the first by place and faces of some lines.
-  struct Border {
-    std::array<Index, 2> crossing;
-    Index first, end;  ///< of border_lines_
-    Index face;
-  };
-  struct BorderLine {
-    SlackLine line;
-    std::array<Index, 2> faces;
-  };
 
   Node& node(std::size_t at) { return nodes_[met_.node(at)]; }
   void restart();
@@ -107,7 +97,6 @@ class SolidRows {
   float most_slack(std::size_t left, std::size_t at) const;
   void note_borders();
   void add_border(std::size_t left, std::size_t end, Index face);
-  void show_kept(double y, std::vector<SpanPiece>& pieces) const;
   void learn();
 
   const SolidExpression& expression_;
@@ -129,8 +118,7 @@ class SolidRows {
   std::vector<Index> free_;
   EdgeOrder met_;  ///< by the level
   bool borders_known_ = false;
-  std::vector<Border> borders_;
-  std::vector<BorderLine> border_lines_;
+  KeptBorders borders_;
 };
 
 }  // namespace overstrike
