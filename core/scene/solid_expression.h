@@ -29,9 +29,12 @@ class SolidExpression {
   Index terms() const { return static_cast<Index>(terms_.size()); }
   /// How many terms lie above one another at most.
   Index depth() const { return depth_; }
-  /// The term of the operand's last leaf; the terms above one have smaller numbers. Precondition:
-  /// the operand has a leaf.
-  Index last_term(Index operand) const { return leaves_[first_leaf_[operand + 1] - 1].term; }
+  /// The term of the operand's last leaf, or the root where it has none; the terms above one have
+  /// smaller numbers.
+  Index last_term(Index operand) const {
+    const std::span<const Leaf> all = leaves(operand);
+    return all.empty() ? 0 : all.back().term;
+  }
 
   struct Term {
     Index parent;   ///< kNoTerm: the root, which is term 0

@@ -113,5 +113,15 @@ TEST(SolidExpression, NodesWithoutOperandsAreEmpty) {
   }
 }
 
+TEST(SolidExpression, AnOperandWithoutLeavesChangesNothing) {
+  const SolidExpression expression(tree_of(SetOperation::unite, {operand_tree(1)}), 3);
+  SolidExpression::State state(expression);
+  state.flip(0), state.flip(2);
+  EXPECT_FALSE(state.inside());
+  state.flip(1);
+  EXPECT_TRUE(state.inside());
+  for (Index operand = 0; operand < 3; ++operand) EXPECT_EQ(expression.last_term(operand), 0u);
+}
+
 }  // namespace
 }  // namespace overstrike

@@ -73,7 +73,7 @@ std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(
     const CanonicalSolid& tree = *canonical.solids[s];
     std::optional<SolidProducts> products;
     const bool few_do = form == BooleanForm::automatic && !is_sum_of_products(tree.expression);
-    if (form == BooleanForm::products || few_do) {
+    if (!tree.background && (form == BooleanForm::products || few_do)) {
       if (bounds.empty()) bounds = bounds_of_operands(canonical);
       products = SolidProducts::of(tree.expression, bounds[s],
                                    few_do ? kFewElementsPerLeaf * tree.expression.leaf_count()
@@ -81,13 +81,15 @@ std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(
       if (!products && !few_do) refuse_products(tree);
     }
     const double shown = translucent.value_or(tree.translucent);
-    if (!products && !(shown > 0)) continue;
+    if (!products && !(shown > 0) && !tree.background) continue;
     auto solid = std::make_shared<CanonicalSolid>(tree);
     const Index operands = tree.expression.operands();
     // The tree stays, and with it where operands matter: so no form moves an end by a rounding.
     if (products) solid->expression = SolidExpression(products->nodes(), operands);
     solid->translucent = shown;
-    if (shown > 0) {
+    if (!(shown > 0)) {
+      solid->uncut.reset();
+    } else if (!tree.background) {
       std::vector<SolidNode> nodes = uncut(tree.nodes);
       SolidExpression expression(nodes, operands);
       solid->uncut = UncutSolid{std::move(nodes), std::move(expression)};

@@ -148,24 +148,43 @@ TEST(Solids, EqualMeshesInOnePlaceAreOneOperand) {
   EXPECT_EQ(canonical.solids[0]->expression.operands(), 2u);
 }
 
-TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
+/// A box and a sheet, united.
+Scene with_open_operand() {
   Scene scene;
   Body box, sheet;
   box.shape = std::make_shared<Shape>(Box{});
   sheet.shape = std::make_shared<Shape>(FlatPolygon{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}}});
   sheet.name = "lid";
   scene.bodies = {box, sheet};
-  scene.solids.push_back(
-      {{{kUnite, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}, 0});
+  scene.solids.push_back({tree_of(kUnite, {operand_tree(0), operand_tree(1)}), {}, {}});
+  return scene;
+}
+constexpr const char* kOpen =
+    "polygon 'lid' is not closed, so that it has no inside to unite, subtract or "
+    "intersect: 3 of its edges have one face only: (0, 0, 0) to (1, 0, 0), (0, 1, 0.5) "
+    "to (0, 0, 0), (1, 0, 0) to (0, 1, 0.5)";
+
+TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
   try {
-    const Drawing drawing(scene, kGrid, {});
+    const Drawing drawing(with_open_operand(), kGrid, {});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.diagnostics().front().message,
-              "polygon 'lid' is not closed, so that it has no inside to unite, subtract or "
-              "intersect: 3 of its edges have one face only: (0, 0, 0) to (1, 0, 0), (0, 1, 0.5) "
-              "to (0, 0, 0), (1, 0, 0) to (0, 1, 0.5)");
+    EXPECT_EQ(error.diagnostics().front().message, kOpen);
   }
+}
+
+TEST(Solids, ABackgroundGoesWithoutWhatIsOpen) {
+  Scene scene = with_open_operand();
+  scene.solids[0].background = true;
+  scene.solids[0].translucent = 0.5;
+  Drawing drawing(scene, kGrid, {});
+  ASSERT_EQ(drawing.warnings().size(), 1u);
+  EXPECT_EQ(drawing.warnings().front().message, std::string(kOpen) + ": not drawn");
+  double drawn = 0;
+  drawing.runs({}, [&](const RunRow& row) {
+    for (const DensityRun& run : row.runs) drawn += run.x1 - run.x0;
+  });
+  EXPECT_GT(drawn, 0);
 }
 
 }  // namespace
