@@ -110,7 +110,7 @@ class Example:
             file.write(plain)
         finer = f"{silhouettes.FINER * size}x{silhouettes.FINER * size}"
         done = run([os.environ["OVERSTRIKE"], "render", shape, "-o", ours, "--size", finer,
-                    "--camera", view, "--projection", projection, "--density", "0,1", "--no-light"])
+                    "--camera", view, "--projection", projection, "--density", "0,1", "--no-light", "--translucent", "0"])
         assert done.returncode == 0, done.stderr
         return silhouettes.difference(silhouettes.of_openscad(theirs), silhouettes.of_ours(ours))
 
