@@ -96,7 +96,7 @@ class Example:
         view, reach = camera(corners(result))
         with open(self.csg, encoding="utf-8") as file:
             plain = re.sub(r"color\([^)]*\)", "group()", file.read())
-        program = os.path.splitext(self.csg)[0] + "-result.scad"
+        program = os.path.splitext(self.csg)[0] + "-result.csg"
         with open(program, "w", encoding="utf-8") as file:
             if result.endswith(".stl"):
                 file.write(f'import("{result}");\n')  # what OpenSCAD made is not made twice

@@ -136,9 +136,9 @@ TEST(Csg, ExtrusionsAreWhatTheyEnclose) {
 TEST(Csg, ConsumersRefuseWhatHasNoSurface) {
   EXPECT_THAT(error_of("hull() { difference() { cube(); sphere(); } }"),
               HasSubstr("m.csg:1:1: error: 'hull' of a difference cannot be drawn"));
-  EXPECT_THAT(error_of("linear_extrude(height = 1) { projection() { intersection() { cube(); "
-                       "sphere(); } } }"),
-              HasSubstr("m.csg:1:30: error: 'projection' of an intersection cannot be drawn"));
+  EXPECT_THAT(error_of("group() { resize(newsize = [1, 2, 3]) { intersection() { cube(); sphere(); "
+                       "} } }"),
+              HasSubstr("m.csg:1:11: error: 'resize' of an intersection cannot be drawn"));
   EXPECT_THAT(
       error_of("minkowski() { rotate_extrude() { multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,"
                "0,0,1]]) { circle(r = 1); } } cube(); }"),

@@ -209,24 +209,18 @@ void ShapeBuilder::flat_minkowski_of(Index i) {
   add_hull(std::move(sum), state(i).place.affine, shapes_[i].flat.region);
 }
 
-/// The cut at z = 0 follows the set operations; the outline seen from above is that of unions only.
 void ShapeBuilder::project(Index i, bool cut) {
-  Region region;
-  if (cut) {
-    std::vector<Region> slices;
-    const std::vector<SolidNode> tree =
-        solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
-          slices.push_back(slice(part, state(leaf).place.affine));
-          return static_cast<Index>(slices.size() - 1);
-        });
-    region = overstrike::resolve(tree, slices);
-  } else {
-    std::vector<Region> shadows;
-    for (const Part& part : parts_below(i, i + 1, tree_.nodes[i].end))
-      shadows.push_back(shadow(part));
-    region = combine(SetOperation::unite, shadows);
-  }
-  shapes_[i].flat.region = placed(region, state(i).place.affine);
+  std::vector<Part> parts;
+  const std::vector<SolidNode> tree =
+      solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
+        append_placed({part}, state(leaf).place, parts);
+        return static_cast<Index>(parts.size() - 1);
+      });
+  const std::optional<Flat> flat = projected(tree, parts, cut);
+  if (!flat)
+    return reporter_.error(tree_.nodes[i].at,
+                           "'projection' cannot be drawn: so many faces take too long to project");
+  shapes_[i].flat = {placed(flat->region, state(i).place.affine), flat->precision};
 }
 
 void ShapeBuilder::refuse_not_convex(Index i) {
