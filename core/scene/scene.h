@@ -45,6 +45,9 @@ struct Solid {
   std::string name;              ///< empty when the scene gave none
   Place place;                   ///< where the scene names it
   double translucent = 0;        ///< how dark what was cut away is shown: 0 (not at all) to 1
+  /// Nothing of it is left: all of it is shown as what was cut away is. It hides nothing, casts no
+  /// shadow, receives none and leaves no stroke. What is not closed of it is not drawn.
+  bool background = false;
 };
 
 /// A line in space, drawn as a stroke where nothing hides it.

@@ -230,5 +230,14 @@ TEST(SolidExpression, NodesWithoutOperandsAreEmpty) {
   }
 }
 
+TEST(SolidExpression, AnOperandWithoutLeavesChangesNothing) {
+  const SolidExpression expression(tree_of(SetOperation::unite, {operand_tree(1)}), 3);
+  SolidExpression::State state(expression);
+  state.flip(0), state.flip(2);
+  EXPECT_FALSE(state.inside());
+  state.flip(1);
+  EXPECT_TRUE(state.inside());
+}
+
 }  // namespace
 }  // namespace overstrike

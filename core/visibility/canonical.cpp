@@ -85,7 +85,7 @@ class Assembler {
       any_smooth_ = any_smooth_ || body.shading == Shading::smooth;
     bodies_ = placed_.all();
     if (scene.solids.empty()) return;
-    distinct_ = with_solids(scene, placed_, out_);
+    distinct_ = with_solids(scene, placed_, out_, warnings);
     bodies_ = distinct_;
   }
 

@@ -65,7 +65,8 @@ struct Membership {
   Index operand = 0;    ///< in its nodes
 };
 
-/// A solid with nothing taken from it: of each difference the first operand (solid_forms.h).
+/// A solid with nothing taken from it: of each difference the first operand (solid_forms.h). Of a
+/// background, from which all is taken, the solid as it is written.
 struct UncutSolid {
   std::vector<SolidNode> nodes;
   SolidExpression expression;
@@ -79,6 +80,7 @@ struct CanonicalSolid {
   Place place = {};                      ///< as Solid::place
   double translucent = 0;                ///< as Solid::translucent
   std::optional<UncutSolid> uncut = {};  ///< where translucent > 0 (solid_forms.h)
+  bool background = false;  ///< as Solid::background: `nodes` are empty, `uncut` is the whole tree
 };
 
 struct CanonicalPattern {

@@ -39,12 +39,10 @@ std::string open_edges(const PreparedShape& shape) {
          " one face only: " + text;
 }
 
-void refuse_open(const Body& body, const PreparedShape& shape) {
-  if (shape.closed) return;
-  throw InputError(body.place, name_of(body) +
-                                   " is not closed, so that it has no inside to unite, "
-                                   "subtract or intersect: " +
-                                   open_edges(shape));
+std::string fault_of(const Body& body, const PreparedShape& shape) {
+  return name_of(body) +
+         " is not closed, so that it has no inside to unite, subtract or intersect: " +
+         open_edges(shape);
 }
 
 /// What makes two operands the same set, drawn the same.
@@ -58,59 +56,94 @@ Key key_of(const PlacedShape& placed, const PreparedShape* shape, const Body& bo
   return {shape, placed.flattened, place, body.density_factor, body.shading, body.pen};
 }
 
-}  // namespace
-
-std::vector<PlacedShape> with_solids(const Scene& scene, const PlacedShapes& placed,
-                                     Canonical& canonical) {
-  struct Leaf {
-    Index solid = kNone, number = 0;
-  };
-  std::vector<Leaf> leaf_of(scene.bodies.size());
-  std::vector<std::vector<Index>> operand_of(scene.solids.size());
-  for (Index s = 0; s < scene.solids.size(); ++s)
-    for (const SolidNode& node : scene.solids[s].nodes) {
-      if (node.operation != SetOperation::operand) continue;
-      leaf_of[node.body] = {s, static_cast<Index>(operand_of[s].size())};
-      operand_of[s].push_back(kNone);
-    }
-  std::vector<PlacedShape> bodies;
-  std::vector<Index> operands(scene.solids.size(), 0);
-  std::map<std::pair<Index, Key>, Index> known;
-  EqualShapes shapes;
-  for (const PlacedShape& one : placed.all()) {
-    const Leaf& leaf = leaf_of[one.source];
-    Membership member{leaf.solid, 0};
-    if (leaf.solid != kNone) {
-      const Body& body = placed.body(one);
-      refuse_open(body, *one.shape);
-      const auto [at, is_new] = known.try_emplace(
-          {leaf.solid, key_of(one, shapes.first_of(*one.shape), body)}, operands[leaf.solid]);
-      operand_of[leaf.solid][leaf.number] = member.operand = at->second;
-      if (!is_new) continue;
-      ++operands[leaf.solid];
-    }
-    bodies.push_back(one);
-    canonical.memberships.push_back(member);
+/// Numbers the operands of all solids.
+class Operands {
+ public:
+  Operands(const Scene& scene, std::vector<Diagnostic>& warnings)
+      : scene_(scene),
+        warnings_(warnings),
+        leaf_of_(scene.bodies.size()),
+        operand_of_(scene.solids.size()),
+        count_(scene.solids.size(), 0) {
+    for (Index s = 0; s < scene.solids.size(); ++s)
+      for (const SolidNode& node : scene.solids[s].nodes) {
+        if (node.operation != SetOperation::operand) continue;
+        leaf_of_[node.body] = {s, static_cast<Index>(operand_of_[s].size())};
+        operand_of_[s].push_back(kNone);
+      }
   }
-  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
-    std::vector<SolidNode> nodes = scene.solids[s].nodes;
+
+  /// What the body is a member of, where it is one to be drawn.
+  std::optional<Membership> add(const PlacedShape& one, const Body& body) {
+    const Leaf& leaf = leaf_of_[one.source];
+    if (leaf.solid == kNone) return Membership{};
+    if (!one.shape->closed && !is_left_out(leaf.solid, body, *one.shape))
+      throw InputError(body.place, fault_of(body, *one.shape));
+    if (!one.shape->closed) return std::nullopt;
+    const auto [at, is_new] = known_.try_emplace(
+        {leaf.solid, key_of(one, shapes_.first_of(*one.shape), body)}, count_[leaf.solid]);
+    operand_of_[leaf.solid][leaf.number] = at->second;
+    if (!is_new) return std::nullopt;
+    return Membership{leaf.solid, count_[leaf.solid]++};
+  }
+
+  CanonicalSolid solid(Index s) {
+    const Solid& given = scene_.solids[s];
+    std::vector<SolidNode> nodes = given.nodes;
     Index leaf = 0;
     for (SolidNode& node : nodes) {
       if (node.operation != SetOperation::operand) continue;
-      Index& operand = operand_of[s][leaf++];
+      Index& operand = operand_of_[s][leaf++];
       // What could not be drawn is empty: an operand that is never entered.
-      if (operand == kNone) operand = operands[s]++;
+      if (operand == kNone) operand = count_[s]++;
       node.body = operand;
     }
-    SolidExpression expression(nodes, operands[s]);
-    canonical.solids.push_back(
-        std::make_shared<const CanonicalSolid>(CanonicalSolid{std::move(nodes),
-                                                              std::move(expression),
-                                                              scene.solids[s].name,
-                                                              scene.solids[s].place,
-                                                              scene.solids[s].translucent,
-                                                              {}}));
+    std::optional<UncutSolid> whole;
+    if (given.background) {
+      SolidExpression expression(nodes, count_[s]);
+      whole = UncutSolid{std::move(nodes), std::move(expression)};
+      nodes = {{SetOperation::unite, 0, 1}};
+    }
+    SolidExpression expression(nodes, count_[s]);
+    return {std::move(nodes),  std::move(expression), given.name,      given.place,
+            given.translucent, std::move(whole),      given.background};
   }
+
+ private:
+  struct Leaf {
+    Index solid = kNone, number = 0;
+  };
+
+  bool is_left_out(Index solid, const Body& body, const PreparedShape& shape) {
+    if (!scene_.solids[solid].background) return false;
+    warnings_.push_back(
+        {Severity::warning, body.place, fault_of(body, shape) + ": not drawn", {}, {}});
+    return true;
+  }
+
+  const Scene& scene_;
+  std::vector<Diagnostic>& warnings_;
+  std::vector<Leaf> leaf_of_;                   ///< per body
+  std::vector<std::vector<Index>> operand_of_;  ///< per solid and leaf
+  std::vector<Index> count_;                    ///< per solid
+  std::map<std::pair<Index, Key>, Index> known_;
+  EqualShapes shapes_;
+};
+
+}  // namespace
+
+std::vector<PlacedShape> with_solids(const Scene& scene, const PlacedShapes& placed,
+                                     Canonical& canonical, std::vector<Diagnostic>& warnings) {
+  Operands operands(scene, warnings);
+  std::vector<PlacedShape> bodies;
+  for (const PlacedShape& one : placed.all()) {
+    const std::optional<Membership> member = operands.add(one, placed.body(one));
+    if (!member) continue;
+    bodies.push_back(one);
+    canonical.memberships.push_back(*member);
+  }
+  for (Index s = 0; s < scene.solids.size(); ++s)
+    canonical.solids.push_back(std::make_shared<const CanonicalSolid>(operands.solid(s)));
   return bodies;
 }
 

@@ -109,16 +109,20 @@ std::vector<std::shared_ptr<const CanonicalSolid>> solids_in_form(
   for (std::size_t s = 0; s < solids.size(); ++s) {
     const CanonicalSolid& tree = *canonical.solids[s];
     std::optional<SolidExpression> sum;
-    if (form == BooleanForm::automatic && !has_few_updates(tree.expression))
-      sum = fewer_updates(tree.expression, bounds_of(s));
-    if (form == BooleanForm::products) sum = as_products(tree, bounds_of(s));
+    if (!tree.background) {
+      if (form == BooleanForm::automatic && !has_few_updates(tree.expression))
+        sum = fewer_updates(tree.expression, bounds_of(s));
+      if (form == BooleanForm::products) sum = as_products(tree, bounds_of(s));
+    }
     const double shown = translucent.value_or(tree.translucent);
-    if (!sum && !(shown > 0)) continue;
+    if (!sum && !(shown > 0) && !tree.background) continue;
     auto solid = std::make_shared<CanonicalSolid>(tree);
     // The tree stays, and with it where operands matter: so no form moves an end by a rounding.
     if (sum) solid->expression = std::move(*sum);
     solid->translucent = shown;
-    if (shown > 0) {
+    if (!(shown > 0)) {
+      solid->uncut.reset();
+    } else if (!tree.background) {
       std::vector<SolidNode> nodes = uncut(tree.nodes);
       SolidExpression expression(nodes, tree.expression.operands());
       solid->uncut = UncutSolid{std::move(nodes), std::move(expression)};

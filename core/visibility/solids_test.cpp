@@ -6,6 +6,7 @@
 
 #include "core/drawing.h"
 #include "core/visibility/canonical.h"
+#include "core/visibility/run_shader.h"
 #include "core/visibility/test_scenes.h"
 #include "core/visibility/view.h"
 
@@ -148,24 +149,90 @@ TEST(Solids, EqualMeshesInOnePlaceAreOneOperand) {
   EXPECT_EQ(canonical.solids[0]->expression.operands(), 2u);
 }
 
-TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
+/// A block with a smooth bore, seen along it and lit from where it is seen.
+Scene bored_block(double near_distance) {
+  Scene scene;
+  testing::add(scene, Box{{4, 4, 8}}, {0, 0, -4});
+  testing::add(scene, Frustum{1, 1, 10}, {0, 0, -5}).shading = Shading::smooth;
+  scene.solids.push_back(
+      {tree_of(SetOperation::subtract, {operand_tree(0), operand_tree(1)}), {}, {}});
+  scene.camera.eye = Vec3(0, 0, 10);
+  scene.camera.target = Vec3(0.0);
+  scene.camera.up = Vec3(0, 1, 0);
+  scene.camera.fov_deg = 20;
+  scene.camera.near_distance = near_distance;
+  scene.light = Direction{30, 70};
+  return scene;
+}
+
+TEST(Solids, TheInsideOfABoreHasItsToneWhereTheSolidIsCutBeforeTheEye) {
+  const auto rows = [](double near_distance) {
+    std::vector<std::vector<DensityRun>> result;
+    Drawing drawing(bored_block(near_distance), kGrid, {});
+    drawing.runs({},
+                 [&](const RunRow& row) { result.emplace_back(row.runs.begin(), row.runs.end()); });
+    return result;
+  };
+  const auto at = [](const std::vector<DensityRun>& runs, double x) {
+    for (const DensityRun& r : runs)
+      if (r.x0 <= x && x < r.x1)
+        return std::pair(r.kind,
+                         r.density0 + (r.density1 - r.density0) * ((x - r.x0) / (r.x1 - r.x0)));
+    return std::pair(Kind::cut, 0.0);
+  };
+  const auto whole = rows(0.1), cut = rows(6.5);
+  // Each bends by so much between its ends at most.
+  const double tolerance = 2 * density_tolerance_of(DrawOptions{}.tolerance);
+  int lit = 0;
+  for (std::size_t row = 0; row < whole.size(); ++row)
+    for (double x = 0.25; x < kGrid.columns; x += 0.5) {
+      const auto [kind, density] = at(whole[row], x);
+      const auto [kind_cut, density_cut] = at(cut[row], x);
+      if (kind != Kind::lit || kind_cut == Kind::cut) continue;
+      EXPECT_EQ(kind_cut, Kind::lit);
+      EXPECT_NEAR(density_cut, density, tolerance) << row << " " << x;
+      ++lit;
+    }
+  EXPECT_GT(lit, 50);
+}
+
+/// A box and a sheet, united.
+Scene with_open_operand() {
   Scene scene;
   Body box, sheet;
   box.shape = std::make_shared<Shape>(Box{});
   sheet.shape = std::make_shared<Shape>(FlatPolygon{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}}});
   sheet.name = "lid";
   scene.bodies = {box, sheet};
-  scene.solids.push_back(
-      {{{kUnite, 0, 3}, {SetOperation::operand, 0, 2}, {SetOperation::operand, 1, 3}}, {}, {}, 0});
+  scene.solids.push_back({tree_of(kUnite, {operand_tree(0), operand_tree(1)}), {}, {}});
+  return scene;
+}
+constexpr const char* kOpen =
+    "polygon 'lid' is not closed, so that it has no inside to unite, subtract or "
+    "intersect: 3 of its edges have one face only: (0, 0, 0) to (1, 0, 0), (0, 1, 0.5) "
+    "to (0, 0, 0), (1, 0, 0) to (0, 1, 0.5)";
+
+TEST(Solids, AnOperandThatIsOpenIsRefusedByItsEdges) {
   try {
-    const Drawing drawing(scene, kGrid, {});
+    const Drawing drawing(with_open_operand(), kGrid, {});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.diagnostics().front().message,
-              "polygon 'lid' is not closed, so that it has no inside to unite, subtract or "
-              "intersect: 3 of its edges have one face only: (0, 0, 0) to (1, 0, 0), (0, 1, 0.5) "
-              "to (0, 0, 0), (1, 0, 0) to (0, 1, 0.5)");
+    EXPECT_EQ(error.diagnostics().front().message, kOpen);
   }
+}
+
+TEST(Solids, ABackgroundGoesWithoutWhatIsOpen) {
+  Scene scene = with_open_operand();
+  scene.solids[0].background = true;
+  scene.solids[0].translucent = 0.5;
+  Drawing drawing(scene, kGrid, {});
+  ASSERT_EQ(drawing.warnings().size(), 1u);
+  EXPECT_EQ(drawing.warnings().front().message, std::string(kOpen) + ": not drawn");
+  double drawn = 0;
+  drawing.runs({}, [&](const RunRow& row) {
+    for (const DensityRun& run : row.runs) drawn += run.x1 - run.x0;
+  });
+  EXPECT_GT(drawn, 0);
 }
 
 }  // namespace

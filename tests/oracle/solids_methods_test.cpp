@@ -175,6 +175,83 @@ TEST(SolidMethods, WhatWasCutAwayIsMixedIntoWhatIsLeft) {
   EXPECT_LT(as_left, as_mixed / 5);
 }
 
+/// Two random solids that share no plane, the second a background.
+Scene before_another(int n) {
+  constexpr Vec3 kAside(0.137, -0.291, 0.173);  // off the lattice
+  Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make();
+  const Scene other = TreeMaker(static_cast<std::uint64_t>(n) + 1001).make();
+  const auto bodies = static_cast<Index>(scene.bodies.size());
+  for (Body body : other.bodies) {
+    body.placement.offset += kAside;
+    scene.bodies.push_back(std::move(body));
+  }
+  Solid background = other.solids[0];
+  for (SolidNode& node : background.nodes)
+    if (node.operation == SetOperation::operand) node.body += bodies;
+  background.background = true;
+  scene.solids.push_back(std::move(background));
+  scene.camera.eye.reset(), scene.camera.target.reset();  // caps of a cut would share its plane
+  return scene;
+}
+
+/// Leaves nothing of it: common with nothing. Its operands stay, and with them the view.
+void empty(Solid& solid) {
+  std::vector<SolidNode>& nodes = solid.nodes;
+  for (SolidNode& node : nodes) node.end += 2;
+  nodes.insert(nodes.begin(), {{SetOperation::intersect, 0, 0}, {SetOperation::unite, 0, 2}});
+  nodes[0].end = static_cast<Index>(nodes.size());
+}
+
+/// By three pictures without backgrounds: of each solid alone, and of both.
+TEST(SolidMethods, ABackgroundIsMixedBeforeWhatLiesBehindItAndNothingElse) {
+  constexpr double kFactor = 0.25, kRounding = 1e-12;
+  Random random(6);
+  int mixed = 0, hidden = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    Scene scene = before_another(n);
+    scene.solids[1].translucent = kFactor;
+    const auto found = rows(scene, {});
+    scene.solids[1].background = false, scene.solids[1].translucent = 0;
+    const auto both = rows(scene, {});
+    Scene one = scene, other = scene;
+    empty(one.solids[1]), empty(other.solids[0]);
+    const auto behind = rows(one, {}), before = rows(other, {});
+    for (std::size_t row = 0; row < found.size(); ++row)
+      for (int i = 0; i < 20; ++i) {
+        const double x = random.in(0, kGrid.columns);
+        const double s = density_at(behind[row], x), b = density_at(before[row], x);
+        // Where both have one tone, so has the mixture.
+        const bool is_before = std::fabs(density_at(both[row], x) - s) > kRounding;
+        ASSERT_NEAR(density_at(found[row], x), is_before ? (1 - kFactor) * s + kFactor * b : s,
+                    kRounding)
+            << n << " " << row << " " << x;
+        mixed += is_before && s > 0, hidden += b > 0 && !is_before;
+      }
+  }
+  EXPECT_GT(mixed, 500);
+  EXPECT_GT(hidden, 500);
+}
+
+TEST(SolidMethods, ABackgroundNeitherCastsShadowsNorHasStrokes) {
+  for (int n = 0; n < kTrees / 40; ++n) {
+    Scene scene = before_another(n);
+    scene.light = Direction{30, 40};
+    scene.ground_z = -1;
+    DrawOptions options;
+    const Drawn with = drawn(scene, options);  // of no factor, so that it does not show
+    const auto strokes = Drawing(scene, kGrid, options).strokes({});
+    Scene without = scene;
+    without.solids[1].background = false;
+    empty(without.solids[1]);
+    EXPECT_TRUE(same_but_for_rounding(with, drawn(without, options))) << n;
+    const auto expected = Drawing(without, kGrid, options).strokes({});
+    ASSERT_FALSE(strokes.empty());
+    ASSERT_EQ(strokes.size(), expected.size()) << n;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+      ASSERT_EQ(strokes[i].points.size(), expected[i].points.size()) << n;
+  }
+}
+
 TEST(SolidMethods, CoherenceChangesTheWorkAndNotThePicture) {
   SolidCounts none, span, behind;
   for (int n = 0; n < kTrees; ++n) {

@@ -1,6 +1,7 @@
 #include "scenes/readers/openscad/arguments.h"
 
 #include <algorithm>
+#include <charconv>
 #include <numbers>
 
 #include "scenes/readers/nearest.h"
@@ -35,6 +36,13 @@ Affine abs(const Affine& a) {
 }
 
 }  // namespace
+
+std::string roughly(double number) {
+  char text[32];
+  const auto [end, error] =
+      std::to_chars(text, text + sizeof text, number, std::chars_format::general, 6);
+  return {text, end};
+}
 
 Placement operator*(const Placement& a, const Placement& b) {
   const Affine sizes_a = abs(a.affine), sizes_b = abs(b.affine);
@@ -179,11 +187,7 @@ std::vector<std::vector<Index>> Arguments::index_lists(std::string_view name,
     for (const Value* const number : items(*item)) {
       if (!is_number(*number, "a point's number")) return {};
       if (!(number->number >= 0) || !(number->number < static_cast<double>(count))) {
-        reporter_.error(number->at,
-                        "point " +
-                            std::to_string(static_cast<long long>(
-                                std::fmax(-1e15, std::fmin(1e15, number->number)))) +
-                            " does not exist",
+        reporter_.error(number->at, "point " + roughly(number->number) + " does not exist",
                         "there are " + std::to_string(count) + ", numbered from 0");
         return {};
       }
@@ -264,7 +268,7 @@ int Arguments::fragments(double radius) const {
           ? std::fmax(std::floor(fn), 3)
           : std::ceil(std::fmax(std::fmin(360.0 / fa(), radius * 2 * std::numbers::pi / fs()), 5));
   if (wanted <= kMostFragments) return static_cast<int>(wanted);
-  error("too many facets round a circle: " + std::to_string(static_cast<long long>(wanted)),
+  error("too many facets round a circle: " + roughly(wanted),
         "at most 4096; mind $fn, $fa and $fs");
   return 3;
 }

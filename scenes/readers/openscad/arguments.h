@@ -21,6 +21,9 @@ struct Placement {
 /// First `b`, then `a`.
 Placement operator*(const Placement& a, const Placement& b);
 
+/// Six digits, however large it is, for messages.
+std::string roughly(double number);
+
 class Arguments {
  public:
   Arguments(const Tree& tree, Index node, const Word& word, Reporter& reporter);

@@ -21,6 +21,10 @@ Shading shading_of(const Shape& shape) {
   return std::holds_alternative<Mesh>(shape) ? Shading::smooth : Shading::flat;
 }
 
+/// What is marked by % and has no colour is grey in OpenSCAD's preview (180 of 255), and all of it
+/// half transparent.
+constexpr double kBackgroundGrey = 180.0 / 255, kBackgroundFactor = 0.5;
+
 class BodyAdder {
  public:
   BodyAdder(const Tree& tree, const Nodes& nodes, const std::vector<NodeShape>& shapes,
@@ -38,6 +42,16 @@ class BodyAdder {
       }
       if (is_filled(i)) add_loose(i, structure);
       i = tree_.nodes[i].end;
+    }
+  }
+
+  void add_backgrounds() {
+    factor_ = density_of(Vec3(kBackgroundGrey));
+    for (const Background& background : nodes_.backgrounds) {
+      if (shapes_[background.node].content != Content::filled) continue;
+      Solid& solid = add_solid(background.node);
+      solid.background = true;
+      solid.translucent = kBackgroundFactor;
     }
   }
 
@@ -60,6 +74,7 @@ class BodyAdder {
     const NodeState& state = nodes_.states[i];
     Body body;
     body.place = reporter_.place(tree_.nodes[i].at);
+    body.density_factor = factor_;
     if (state.color) {
       body.density_factor = density_of(*state.color);
       body.pen = pen_of(*state.color);
@@ -95,12 +110,12 @@ class BodyAdder {
     }
   }
 
-  void add_solid(Index root) {
-    Solid solid;
+  Solid& add_solid(Index root) {
+    Solid& solid = scene_.solids.emplace_back();
     solid.place = reporter_.place(tree_.nodes[root].at);
     solid.nodes = solid_tree(tree_, nodes_, shapes_, root,
                              [this](Index i, const Part& part) { return add_part(i, part); });
-    scene_.solids.push_back(std::move(solid));
+    return solid;
   }
 
   const Tree& tree_;
@@ -108,6 +123,7 @@ class BodyAdder {
   const std::vector<NodeShape>& shapes_;
   const Reporter& reporter_;
   Scene& scene_;
+  double factor_ = 1;  ///< of what has no colour
 };
 
 }  // namespace
@@ -136,6 +152,11 @@ int pen_of(const Vec3& color) {
 void add_bodies(const Tree& tree, const Nodes& nodes, const std::vector<NodeShape>& shapes,
                 const Reporter& reporter, Scene& scene) {
   BodyAdder(tree, nodes, shapes, reporter, scene).add();
+}
+
+void add_backgrounds(const Tree& tree, const Nodes& nodes, const std::vector<NodeShape>& shapes,
+                     const Reporter& reporter, Scene& scene) {
+  BodyAdder(tree, nodes, shapes, reporter, scene).add_backgrounds();
 }
 
 }  // namespace overstrike::openscad

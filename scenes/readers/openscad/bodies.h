@@ -10,6 +10,10 @@ namespace overstrike::openscad {
 void add_bodies(const Tree& tree, const Nodes& nodes, const std::vector<NodeShape>& shapes,
                 const Reporter& reporter, Scene& scene);
 
+/// Each background becomes a solid of its own. `nodes` as resolve_backgrounds() has them.
+void add_backgrounds(const Tree& tree, const Nodes& nodes, const std::vector<NodeShape>& shapes,
+                     const Reporter& reporter, Scene& scene);
+
 /// The density factor of a colour: white is a quarter, black all of it, by luma (Rec. 709).
 double density_of(const Vec3& color);
 

@@ -75,7 +75,7 @@ struct Entity {
   double radius = 0;                ///< 40; of an ellipse minor to major
   double scale_x = 1, scale_y = 1;  ///< 41 and 42 of an insert; an ellipse's ends (radians)
   double start = 0, end = 0;        ///< 50 and 51, degrees
-  int flags = 0;                    ///< 70
+  bool is_closed = false;           ///< 70 is odd
 };
 
 Vec2 polar(double radius, double degrees) {
@@ -144,7 +144,7 @@ class DxfReader {
         entity_.end = groups_.number(group);
         break;
       case 70:
-        entity_.flags = static_cast<int>(groups_.number(group));
+        entity_.is_closed = std::fmod(groups_.number(group), 2) != 0;
         break;
       default:
         break;
@@ -183,12 +183,12 @@ class DxfReader {
       path({points[0], entity_.second});
     } else if (kind == "LWPOLYLINE" || kind == "POLYLINE") {
       std::vector<Vec2> corners = points;
-      if ((entity_.flags & 1) != 0 && !corners.empty()) corners.push_back(corners[0]);
+      if (entity_.is_closed && !corners.empty()) corners.push_back(corners[0]);
       path(corners);
     } else if (kind == "CIRCLE" && !points.empty()) {
       arc(0, 360);
     } else if (kind == "ARC" && !points.empty()) {
-      double end = std::fmod(entity_.end - entity_.start, 360);
+      double end = within_a_turn(entity_.end - entity_.start);
       if (end < 0) end += 360;
       arc(entity_.start, entity_.start + end);
     } else if (kind == "ELLIPSE" && !points.empty()) {
@@ -216,6 +216,10 @@ class DxfReader {
     return std::max(static_cast<int>(std::ceil(arguments_.fragments(shown) * degrees / 360)), 1);
   }
 
+  static double within_a_turn(double degrees) {
+    return std::isfinite(degrees) ? std::fmod(degrees, 360) : 0;
+  }
+
   void arc(double from, double to) {
     const int n = facets(entity_.radius, to - from);
     std::vector<Vec2> points;
@@ -229,7 +233,7 @@ class DxfReader {
     const Vec2 major = entity_.second, minor = Vec2(-major.y, major.x) * entity_.radius;
     constexpr double kDegrees = 180 / std::numbers::pi;
     const double from = entity_.scale_x * kDegrees;
-    double sweep = std::fmod(entity_.scale_y * kDegrees - from, 360);
+    double sweep = within_a_turn(entity_.scale_y * kDegrees - from);
     if (sweep <= 0) sweep += 360;
     const int n = facets(glm::length(major), sweep);
     std::vector<Vec2> points;

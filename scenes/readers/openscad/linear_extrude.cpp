@@ -158,7 +158,7 @@ std::vector<Part> linear_extrude(const Arguments& a, const Flat& flat) {
   if (!std::isfinite(e.twist)) e.twist = 0;
   const double slices = wanted_slices(a, e, flat.region);
   if (slices > kMostSlices) {
-    a.error("too many slices: " + std::to_string(static_cast<long long>(slices)), "at most 4096");
+    a.error("too many slices: " + roughly(slices), "at most 4096");
     return {};
   }
   OrderedRegion region = pieces_of(flat.region);

@@ -35,23 +35,50 @@ class Resolver {
   }
 
   Nodes resolve() {
-    find_words();
-    for (auto i = nodes_.order.rbegin(); i != nodes_.order.rend(); ++i) find_dimension(*i);
-    drop_other_dimensions();
-    for (const Index i : nodes_.order) place(i);
+    find_words(tree_.root, kNoNode);
+    find_places();
+    return std::move(nodes_);
+  }
+
+  /// With the states of the nodes above.
+  Nodes resolve_backgrounds(const Nodes& above) {
+    nodes_.states = above.states;
+    nodes_.backgrounds = above.backgrounds;
+    // What is found in a background comes behind it.
+    for (std::size_t i = 0; i < nodes_.backgrounds.size(); ++i) {
+      const Background one = nodes_.backgrounds[i];
+      find_words(one.node, one.parent);
+      is_background_.push_back(one.node);
+    }
+    std::sort(is_background_.begin(), is_background_.end());
+    find_places();
+    std::erase_if(nodes_.backgrounds, [&](const Background& b) { return !state(b.node).drawn; });
+    for (const Background& b : nodes_.backgrounds) state(b.node).drawn = false;
     return std::move(nodes_);
   }
 
  private:
   NodeState& state(Index i) { return nodes_.states[i]; }
 
-  void find_words() {
+  bool is_background(Index i) const {
+    return std::binary_search(is_background_.begin(), is_background_.end(), i);
+  }
+
+  void find_places() {
+    for (auto i = nodes_.order.rbegin(); i != nodes_.order.rend(); ++i) find_dimension(*i);
+    drop_other_dimensions();
+    for (const Index i : nodes_.order) place(i);
+  }
+
+  void find_words(Index root, Index parent) {
     std::vector<Index> above;
-    const Index end = tree_.nodes[tree_.root].end;
-    for (Index i = tree_.root; i < end;) {
+    const Index end = tree_.nodes[root].end;
+    for (Index i = root; i < end;) {
       while (!above.empty() && tree_.nodes[above.back()].end <= i) above.pop_back();
       const Node& node = tree_.nodes[i];
-      if (!is_drawn(i, node)) {
+      if (i != root && node.background && !node.disabled)
+        nodes_.backgrounds.push_back({i, above.back()});
+      if (i != root && (node.background || node.disabled)) {
         i = node.end;
         continue;
       }
@@ -61,22 +88,16 @@ class Resolver {
         i = node.end;
         continue;
       }
-      state(i).drawn = true;
-      state(i).parent = above.empty() ? kNoNode : above.back();
+      NodeState& s = state(i);
+      s.drawn = true;
+      s.parent = above.empty() ? parent : above.back();
+      if (s.parent != kNoNode)
+        s.in_consumer =
+            state(s.parent).in_consumer || state(s.parent).word->role == WordRole::consumer;
       nodes_.order.push_back(i);
       above.push_back(i);
       ++i;
     }
-  }
-
-  bool is_drawn(Index i, const Node& node) {
-    if (i == tree_.root) return true;
-    if (node.background && !told_background_) {
-      told_background_ = true;
-      reporter_.warning(
-          node.at, in_quotes("%" + node.name) + " is left out: background is no part of the solid");
-    }
-    return !node.background && !node.disabled;
   }
 
   void refuse(const Node& node, const Word* word) {
@@ -102,7 +123,8 @@ class Resolver {
       const Arguments arguments(tree_, i, *s.word, reporter_);
       s.dimension = is_flat_file(arguments.text("file", "")) ? 2 : 3;
     }
-    if (s.parent != kNoNode && s.dimension != 0 && state(s.parent).word->dimension == 0)
+    if (s.parent != kNoNode && !is_background(i) && s.dimension != 0 &&
+        state(s.parent).word->dimension == 0)
       state(s.parent).dimension = s.dimension;
   }
 
@@ -110,7 +132,9 @@ class Resolver {
     std::vector<Index> kept;
     for (const Index i : nodes_.order) {
       NodeState& s = state(i);
-      if (s.parent != kNoNode) {
+      if (is_background(i)) {
+        drop_unseen_background(i);
+      } else if (s.parent != kNoNode) {
         s.drawn = state(s.parent).drawn;
         const int wanted = inner_dimension(state(s.parent));
         if (s.drawn && s.dimension != 0 && s.dimension != wanted) {
@@ -123,6 +147,17 @@ class Resolver {
       if (s.drawn) kept.push_back(i);
     }
     nodes_.order = std::move(kept);
+  }
+
+  void drop_unseen_background(Index i) {
+    NodeState& s = state(i);
+    const bool has_place = s.parent == kNoNode || state(s.parent).drawn;
+    s.drawn = s.dimension == 3 && !s.in_consumer && has_place;
+    if (s.drawn || s.dimension == 0 || !has_place) return;
+    reporter_.warning(tree_.nodes[i].at,
+                      in_quotes("%" + tree_.nodes[i].name) + " is left out: " +
+                          (s.in_consumer ? "it is no part of the shape that is made here"
+                                         : "a flat background is not drawn"));
   }
 
   static int inner_dimension(const NodeState& parent) {
@@ -164,7 +199,7 @@ class Resolver {
   const Tree& tree_;
   Reporter& reporter_;
   Nodes nodes_;
-  bool told_background_ = false;
+  std::vector<Index> is_background_;  ///< sorted
 };
 
 }  // namespace
@@ -174,5 +209,9 @@ bool unites(const Word& word) {
 }
 
 Nodes resolve(const Tree& tree, Reporter& reporter) { return Resolver(tree, reporter).resolve(); }
+
+Nodes resolve_backgrounds(const Tree& tree, const Nodes& nodes, Reporter& reporter) {
+  return Resolver(tree, reporter).resolve_backgrounds(nodes);
+}
 
 }  // namespace overstrike::openscad

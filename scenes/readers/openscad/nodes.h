@@ -17,6 +17,7 @@ struct NodeState {
   Index parent = kNoNode;
   int dimension = 0;  ///< 2, 3, or 0: nothing in it
   bool drawn = false;
+  bool in_consumer = false;  ///< a shape is made of it
   /// Nothing but unions stands above it: it needs no Boolean.
   bool loose = false;
   /// Within the nearest consumer above, or the world.
@@ -25,14 +26,26 @@ struct NodeState {
   std::optional<Vec3> color;
 };
 
-/// `order` holds the numbers of the nodes that are drawn, each before those below it.
+/// A node marked by %, and the one that it stands below.
+struct Background {
+  Index node;
+  Index parent;
+};
+
 struct Nodes {
   std::vector<NodeState> states;  ///< per node of the tree
+  /// The numbers of the nodes that are drawn, each before those below it.
   std::vector<Index> order;
+  /// What was left out of it for its mark.
+  std::vector<Background> backgrounds;
 };
 
 /// Words that are unknown or refused are reported, and what is left out is told.
 Nodes resolve(const Tree& tree, Reporter& reporter);
+
+/// The same of what is marked by % in the tree, which `nodes` are the nodes of: `backgrounds` are
+/// those that are solids. To those above them and below they are not drawn: each stands for itself.
+Nodes resolve_backgrounds(const Tree& tree, const Nodes& nodes, Reporter& reporter);
 
 /// True where the node's children are put together by a union.
 bool unites(const Word& word);

@@ -16,6 +16,41 @@ void check_shapes(const Scene& scene) {
   }
 }
 
+void append(const Scene& from, Scene& to) {
+  const auto bodies = static_cast<Index>(to.bodies.size());
+  to.bodies.insert(to.bodies.end(), from.bodies.begin(), from.bodies.end());
+  for (Solid solid : from.solids) {
+    for (SolidNode& node : solid.nodes)
+      if (node.operation == SetOperation::operand) node.body += bodies;
+    to.solids.push_back(std::move(solid));
+  }
+}
+
+/// What is marked by % is no part of the model: where something of it cannot be drawn, the picture
+/// goes without it, and says so.
+void read_backgrounds(const Tree& tree, const Nodes& nodes, const std::filesystem::path& folder,
+                      Reporter reporter, ReadResult& result) {
+  if (nodes.backgrounds.empty()) return;
+  try {
+    const Nodes backgrounds = resolve_backgrounds(tree, nodes, reporter);
+    ShapeBuilder builder(tree, backgrounds, folder, reporter);
+    const std::vector<NodeShape> shapes = builder.build();
+    reporter.throw_errors();
+    Scene scene;
+    add_backgrounds(tree, backgrounds, shapes, reporter, scene);
+    check_shapes(scene);
+    append(scene, result.scene);
+    for (Diagnostic& warning : reporter.warnings()) result.warnings.push_back(std::move(warning));
+  } catch (const InputError& error) {
+    for (Diagnostic fault : error.diagnostics()) {
+      if (fault.severity == Severity::error)
+        fault.message = "the background (%) is left out: " + fault.message;
+      fault.severity = Severity::warning;
+      result.warnings.push_back(std::move(fault));
+    }
+  }
+}
+
 }  // namespace
 
 ReadResult read_scene(std::string_view text, const std::string& name,
@@ -37,6 +72,7 @@ ReadResult read_scene(std::string_view text, const std::string& name,
   add_bodies(tree, nodes, shapes, reporter, result.scene);
   check_shapes(result.scene);
   result.warnings = reporter.warnings();
+  read_backgrounds(tree, nodes, folder, Reporter(text, name), result);
   return result;
 }
 

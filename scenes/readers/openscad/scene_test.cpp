@@ -75,7 +75,10 @@ TEST(Csg, FacetsFollowFnFaFs) {
   EXPECT_EQ(sides(", $fn = 2"), 3);
   EXPECT_EQ(sides(", $fn = 7.9, $fs = 0.1"), 7);
   EXPECT_THAT(error_of("cylinder(h = 1, r1 = 3, r2 = 3, $fn = 1e9);"),
-              HasSubstr("m.csg:1:1: error: too many facets round a circle"));
+              HasSubstr("m.csg:1:1: error: too many facets round a circle: 1e+09"));
+  EXPECT_THAT(error_of("circle(r = 3, $fn = 1e117);"), HasSubstr("too many facets"));
+  EXPECT_THAT(error_of("linear_extrude(height = 1, slices = 1e117, twist = 9) { square(); }"),
+              HasSubstr("too many slices"));
 }
 
 TEST(Csg, TwistedExtrusionsHaveOpenscadsSlices) {
@@ -136,9 +139,9 @@ TEST(Csg, ExtrusionsAreWhatTheyEnclose) {
 TEST(Csg, ConsumersRefuseWhatHasNoSurface) {
   EXPECT_THAT(error_of("hull() { difference() { cube(); sphere(); } }"),
               HasSubstr("m.csg:1:1: error: 'hull' of a difference cannot be drawn"));
-  EXPECT_THAT(error_of("linear_extrude(height = 1) { projection() { intersection() { cube(); "
-                       "sphere(); } } }"),
-              HasSubstr("m.csg:1:30: error: 'projection' of an intersection cannot be drawn"));
+  EXPECT_THAT(error_of("group() { resize(newsize = [1, 2, 3]) { intersection() { cube(); sphere(); "
+                       "} } }"),
+              HasSubstr("m.csg:1:11: error: 'resize' of an intersection cannot be drawn"));
   EXPECT_THAT(
       error_of("minkowski() { rotate_extrude() { multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,"
                "0,0,1]]) { circle(r = 1); } } cube(); }"),

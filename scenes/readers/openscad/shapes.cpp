@@ -4,29 +4,16 @@
 #include <cmath>
 
 #include "core/geometry/region_sets.h"
-#include "scenes/readers/mesh.h"
-#include "scenes/readers/mesh_file.h"
-#include "scenes/readers/openscad/dxf.h"
 #include "scenes/readers/openscad/extrude.h"
 #include "scenes/readers/openscad/hull.h"
 #include "scenes/readers/openscad/offset.h"
-#include "scenes/readers/openscad/primitives.h"
 #include "scenes/readers/openscad/project.h"
 #include "scenes/readers/openscad/regions.h"
+#include "scenes/readers/openscad/resize.h"
 #include "scenes/readers/openscad/solid_tree.h"
-#include "scenes/readers/openscad/surface.h"
-#include "scenes/readers/openscad/text.h"
 
 namespace overstrike::openscad {
 namespace {
-
-/// Where the points lie: low and high corner.
-struct Box3 {
-  Vec3 low{1e300}, high{-1e300};
-};
-
-/// Larger drawings are refused as they are read.
-void check_drawing(std::string_view, std::uint64_t, const std::string&) {}
 
 void append_placed(const std::vector<Part>& parts, const Placement& place, std::vector<Part>& all) {
   for (const Part& part : parts)
@@ -79,99 +66,13 @@ void ShapeBuilder::build_leaf(Index i) {
   const Arguments arguments(tree_, i, *state(i).word, reporter_);
   NodeShape& shape = shapes_[i];
   if (state(i).dimension == 2) {
-    shape.flat = flat_leaf(i, arguments);
+    shape.flat = leaves_.flat(state(i), arguments);
     shape.content = shape.flat.region.loops.empty() ? Content::empty : Content::filled;
   } else {
-    shape.parts = solid_leaf(i, arguments);
+    shape.parts = leaves_.solid(*state(i).word, arguments);
     shape.content = shape.parts.empty() ? Content::empty : Content::filled;
   }
   for (Part& part : shape.parts) part.shape = pool_.shared(std::move(part.shape));
-}
-
-std::vector<Part> ShapeBuilder::solid_leaf(Index i, const Arguments& arguments) {
-  switch (state(i).word->kind) {
-    case WordKind::cube:
-      return cube(arguments);
-    case WordKind::sphere:
-      return sphere(arguments);
-    case WordKind::cylinder:
-      return cylinder(arguments);
-    case WordKind::polyhedron:
-      return polyhedron(arguments);
-    default:
-      break;
-  }
-  const std::filesystem::path path = folder_ / arguments.text("file", "");
-  std::vector<Part> parts;
-  try {
-    if (state(i).word->kind == WordKind::surface) return surface(arguments, path);
-    parts = {imported_mesh(path)};
-  } catch (const InputError& error) {
-    reporter_.append(error.diagnostics());
-  }
-  return parts;
-}
-
-Part ShapeBuilder::imported_mesh(const std::filesystem::path& path) {
-  const auto [known, is_new] = meshes_.try_emplace(path.string());
-  if (is_new) {
-    std::vector<Diagnostic> warnings;
-    known->second = std::make_shared<const Shape>(read_mesh(path, warnings));
-    reporter_.append(warnings);
-  }
-  if (known->second == nullptr) throw InputError(Place{path.string(), 0, 0}, "cannot be read");
-  return {known->second, {}, 0};
-}
-
-Region ShapeBuilder::imported_region(const Arguments& arguments) {
-  const std::filesystem::path path = folder_ / arguments.text("file", "");
-  if (path.extension() != ".dxf" && path.extension() != ".DXF") {
-    arguments.error("'import' of " + path.extension().string() + " cannot be drawn",
-                    "flat drawings are read as DXF");
-    return {};
-  }
-  const Vec3 origin = arguments.sizes("origin", 2, 0);
-  try {
-    const std::string text = read_mesh_file(path, check_drawing);
-    return read_dxf(text, path.string(),
-                    {arguments.text("layer", ""), Vec2(origin), arguments.number("scale", 1)},
-                    arguments);
-  } catch (const InputError& error) {
-    reporter_.append(error.diagnostics());
-    return {};
-  }
-}
-
-/// Outlines may cross and lie on one another; what core has no use for is sorted out here, once.
-Flat ShapeBuilder::flat_leaf(Index i, const Arguments& arguments) {
-  std::vector<Region> regions(1);
-  double precision = 0;
-  const auto take = [&](Flat flat) {
-    regions[0] = std::move(flat.region);
-    precision = flat.precision;
-  };
-  switch (state(i).word->kind) {
-    case WordKind::square:
-      take(square(arguments));
-      break;
-    case WordKind::circle:
-      take(circle(arguments));
-      break;
-    case WordKind::polygon:
-      take(polygon(arguments));
-      break;
-    case WordKind::text:
-      regions = text_outlines(arguments);
-      break;
-    case WordKind::import:
-      regions[0] = imported_region(arguments);
-      break;
-    default:
-      break;
-  }
-  const Affine& place = state(i).place.affine;
-  for (Region& region : regions) region = placed(region, place);
-  return {combine(SetOperation::unite, regions), precision};
 }
 
 std::vector<Index> ShapeBuilder::drawn_children(Index i) const {
@@ -308,38 +209,29 @@ void ShapeBuilder::flat_minkowski_of(Index i) {
   add_hull(std::move(sum), state(i).place.affine, shapes_[i].flat.region);
 }
 
-/// The cut at z = 0 follows the set operations; the outline seen from above is that of unions only.
 void ShapeBuilder::project(Index i, bool cut) {
-  Region region;
-  if (cut) {
-    std::vector<Region> slices;
-    const std::vector<SolidNode> tree =
-        solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
-          slices.push_back(slice(part, state(leaf).place.affine));
-          return static_cast<Index>(slices.size() - 1);
-        });
-    region = overstrike::resolve(tree, slices);
-  } else {
-    std::vector<Region> shadows;
-    for (const Part& part : parts_below(i, i + 1, tree_.nodes[i].end))
-      shadows.push_back(shadow(part));
-    region = combine(SetOperation::unite, shadows);
-  }
-  shapes_[i].flat.region = placed(region, state(i).place.affine);
+  std::vector<Part> parts;
+  const std::vector<SolidNode> tree =
+      solid_tree(tree_, nodes_, shapes_, i, [&](Index leaf, const Part& part) {
+        append_placed({part}, state(leaf).place, parts);
+        return static_cast<Index>(parts.size() - 1);
+      });
+  const std::optional<Flat> flat = projected(tree, parts, cut);
+  if (!flat)
+    return reporter_.error(tree_.nodes[i].at,
+                           "'projection' cannot be drawn: so many faces take too long to project");
+  shapes_[i].flat = {placed(flat->region, state(i).place.affine), flat->precision};
 }
 
 void ShapeBuilder::refuse_not_convex(Index i) {
   reporter_.error(tree_.nodes[i].at, "'minkowski' cannot be drawn: an operand is not convex");
 }
 
-/// Each size that is given becomes that; with `auto`, those that are not follow the largest change.
 void ShapeBuilder::resize(Index i, const Arguments& arguments) {
   NodeShape& shape = shapes_[i];
   const bool flat = state(i).dimension == 2;
-  Box3 box;
-  const auto reach = [&](const Vec3& p) {
-    box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
-  };
+  Vec3 low(1e300), high(-1e300);
+  const auto reach = [&](const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); };
   if (flat) {
     shape.flat = united_children(i);
     for (const auto& loop : shape.flat.region.loops)
@@ -349,18 +241,7 @@ void ShapeBuilder::resize(Index i, const Arguments& arguments) {
     for (const Part& part : shape.parts)
       for (const Vec3& p : corners_of(part)) reach(p);
   }
-  const Vec3 size = box.high - box.low, wanted = arguments.sizes("newsize", flat ? 2 : 3, 0);
-  Vec3 scale(1.0);
-  double most = 1;
-  for (int axis = 0; axis < 3; ++axis)
-    if (wanted[axis] > 0 && size[axis] > 0) {
-      scale[axis] = wanted[axis] / size[axis];
-      most = most == 1 ? scale[axis] : std::fmax(most, scale[axis]);
-    }
-  const Vec3 follow = arguments.flags("auto");
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(wanted[axis] > 0) && follow[axis] != 0) scale[axis] = most;
-  const Affine change{Mat3({scale.x, 0, 0}, {0, scale.y, 0}, {0, 0, scale.z}), Vec3(0.0)};
+  const Affine change = resizing(high - low, flat ? 2 : 3, arguments);
   shape.flat.region = placed(shape.flat.region, state(i).place.affine * change);
   for (Part& part : shape.parts) part.place = change * part.place;
 }

@@ -1,10 +1,10 @@
 #pragma once
 // The shapes of all nodes, found from the leaves upwards.
 #include <filesystem>
-#include <map>
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "scenes/readers/openscad/leaf_shapes.h"
 #include "scenes/readers/openscad/nodes.h"
 #include "scenes/readers/openscad/part.h"
 #include "scenes/readers/openscad/shape_pool.h"
@@ -27,7 +27,7 @@ class ShapeBuilder {
   /// Files are looked for in `folder`.
   ShapeBuilder(const Tree& tree, const Nodes& nodes, const std::filesystem::path& folder,
                Reporter& reporter)
-      : tree_(tree), nodes_(nodes), folder_(folder), reporter_(reporter) {}
+      : tree_(tree), nodes_(nodes), reporter_(reporter), leaves_(folder, reporter) {}
 
   /// Per node of the tree.
   std::vector<NodeShape> build();
@@ -37,10 +37,6 @@ class ShapeBuilder {
   void build_leaf(Index i);
   void build_consumer(Index i);
   void build_structure(Index i);
-  std::vector<Part> solid_leaf(Index i, const Arguments& arguments);
-  Flat flat_leaf(Index i, const Arguments& arguments);
-  Part imported_mesh(const std::filesystem::path& path);
-  Region imported_region(const Arguments& arguments);
   void hull_of(Index i);
   void minkowski_of(Index i);
   void flat_minkowski_of(Index i);
@@ -55,10 +51,9 @@ class ShapeBuilder {
 
   const Tree& tree_;
   const Nodes& nodes_;
-  const std::filesystem::path& folder_;
   Reporter& reporter_;
+  LeafShapes leaves_;
   ShapePool pool_;
-  std::map<std::string, ShapePtr> meshes_;  ///< by the file's name; null where it cannot be read
   std::vector<NodeShape> shapes_;
 };
 

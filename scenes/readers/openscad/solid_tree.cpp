@@ -13,8 +13,11 @@ class TreeMaker {
     for (Index i = root; i < tree_.nodes[root].end;) {
       close_before(i);
       const bool filled =
-          nodes_.states[i].drawn && (i == root || shapes_[i].content == Content::filled);
-      if (filled && (i == root || nodes_.states[i].word->role == WordRole::structure)) {
+          i == root || (nodes_.states[i].drawn && shapes_[i].content == Content::filled);
+      const bool has_parts = !shapes_[i].parts.empty();
+      if (i == root && has_parts) open(i);
+      if (filled && !has_parts &&
+          (i == root || nodes_.states[i].word->role == WordRole::structure)) {
         if (i == root || shapes_[i].filled_children > 1) open(i);
         ++i;
         continue;

@@ -3,22 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
 #include "core/geometry/polygon.h"
-#include "core/geometry/tessellate.h"
-#include "scenes/readers/mesh.h"
 #include "scenes/readers/yaml/fields.h"
+#include "scenes/readers/yaml/polyhedron.h"
 #include "scenes/readers/yaml/regions.h"
+#include "scenes/readers/yaml/shape_laws.h"
 
 namespace overstrike::yaml {
 namespace {
 
 constexpr int kMostSides = 4096;  // as tessellate() has it
-
-constexpr int kMostVertices = 1'000'000'000;  // numbers beyond are no slips by one
 
 int optional_sides(const Fields& f) {
   return f.has("sides") ? f.whole_number_or("sides", 3, 3, kMostSides) : 0;
@@ -194,43 +191,6 @@ Shape polygon(const Fields& f) {
   return shape;
 }
 
-/// The loop's vertex numbers, checked against the number of vertices.
-std::vector<Index> face_loop(Reporter& reporter, const Node& node, std::size_t vertices) {
-  std::vector<Index> loop;
-  for (const Node* item : list(reporter, node, "a face", "vertex numbers", 3)) {
-    const std::size_t errors_before = reporter.errors();
-    const int index =
-        whole_number(reporter, *item, "a vertex number", -kMostVertices, kMostVertices);
-    if (reporter.errors() > errors_before) continue;
-    if (vertices > 0 && (index < 0 || static_cast<std::size_t>(index) >= vertices))
-      reporter.error(item->mark, "vertex " + std::to_string(index) + " does not exist: there are " +
-                                     std::to_string(vertices) + ", numbered from 0");
-    loop.push_back(static_cast<Index>(index));
-  }
-  return loop;
-}
-
-Shape polyhedron(const Fields& f) {
-  Mesh shape;
-  Reporter& reporter = f.reporter();
-  if (const Node* vertices = f.need("vertices"))
-    shape.polyhedron.vertices = points3(reporter, *vertices, "vertices", 3);
-  const std::size_t count = shape.polyhedron.vertices.size();
-  const Node* faces = f.need("faces");
-  if (!faces) return shape;
-  for (const Node* face : list(reporter, *faces, "faces", "faces [a, b, c, ...]", 1)) {
-    const Fields face_fields(reporter, *face, kFaceMap);
-    shape.lines.push_back(face->mark.line);
-    if (const Node* outline = face_fields.need("outline"))
-      shape.polyhedron.add_loop(face_loop(reporter, *outline, count));
-    if (const Node* holes = face_fields.find("holes"))
-      for (const Node* hole : list(reporter, *holes, "holes", "outlines [a, b, c, ...]"))
-        shape.polyhedron.add_loop(face_loop(reporter, *hole, count));
-    shape.polyhedron.end_face();
-  }
-  return shape;
-}
-
 struct ShapeReader {
   const MapKind& kind;
   Shape (*read)(const Fields&);
@@ -251,83 +211,11 @@ const ShapeReader kReaders[] = {
     {kExtrusionMap, extrusion},
     {kRevolutionMap, revolution},
     {kSweepMap, sweep},
-    {kPolyhedronMap, polyhedron},
+    {kPolyhedronMap, read_polyhedron},
     {kPolygonMap, polygon},
 };
 
-/// Where core's complaint about "loop N" of a region belongs: the outline or a hole.
-const Node* complained_loop(const Fields& f, const std::string& complaint) {
-  constexpr std::string_view kLoop = "loop ";
-  const Node* outline = f.find("outline");
-  if (!outline || !complaint.starts_with(kLoop)) return outline;
-  const int loop = std::atoi(complaint.c_str() + kLoop.size());
-  const Node* holes = f.find("holes");
-  if (loop < 2 || !holes || holes->items.size() < static_cast<std::size_t>(loop - 1))
-    return outline;
-  return holes->items[static_cast<std::size_t>(loop - 2)];
-}
-
-/// Core numbers a region's loops; scenes have an outline and holes.
-std::string in_scene_words(std::string complaint) {
-  constexpr std::string_view kLoop = "loop ";
-  for (std::size_t at = complaint.find(kLoop); at != std::string::npos;
-       at = complaint.find(kLoop, at + 1)) {
-    const std::size_t digits = at + kLoop.size();
-    const std::size_t end =
-        std::min(complaint.size(), complaint.find_first_not_of("0123456789", digits));
-    const int loop = std::atoi(complaint.c_str() + digits);
-    if (end == digits) continue;
-    complaint.replace(at, end - at, loop == 1 ? "the outline" : fmt::format("hole {}", loop - 1));
-  }
-  return complaint;
-}
-
-/// A law of shapes that the keys alone don't tell, at the key that the complaint names first.
-void check_laws(const Fields& f, const Shape& shape) {
-  const std::string complaint = validate(shape);
-  if (complaint.empty()) return;
-  std::string_view named;
-  std::size_t first = std::string::npos;
-  for (const std::string_view key : f.kind().keys)
-    if (const std::size_t at = complaint.find(key); at < first && f.has(key))
-      first = at, named = key;
-  if (named.empty() && f.has("region")) return f.reporter().error(f.mark("region"), complaint);
-  const Node* loop = complained_loop(f, complaint);
-  f.reporter().error(named.empty() && loop ? loop->mark : f.mark(named), in_scene_words(complaint));
-}
-
 }  // namespace
-
-ShapePtr MeshFiles::read(Reporter& reporter, const Node& name) {
-  namespace fs = std::filesystem;
-  if (name.kind != NodeKind::scalar || name.text.empty()) {
-    reporter.error(name.mark, "file must be the name of a mesh file, found " + describe(name));
-    return nullptr;
-  }
-  const auto known = read_.find(name.text);
-  if (known != read_.end()) return known->second;
-  ShapePtr& shape = read_[name.text];
-  const fs::path path = folder_ / name.text;
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) {
-    reporter.error(name.mark,
-                   "no mesh file " + in_quotes(name.text) + "; looked for " + path.string());
-    return nullptr;
-  }
-  if (fs::is_directory(path, ignored)) {
-    reporter.error(name.mark,
-                   "mesh file " + in_quotes(name.text) + " is a directory: " + path.string());
-    return nullptr;
-  }
-  try {
-    std::vector<Diagnostic> warnings;
-    shape = std::make_shared<const Shape>(read_mesh(path, warnings));
-    reporter.append(warnings);
-  } catch (const InputError& e) {
-    reporter.append(e.diagnostics());
-  }
-  return shape;
-}
 
 bool is_shape(std::string_view key) {
   if (key == kMeshMap.name) return true;
