@@ -220,13 +220,15 @@ class Clipper {
     end(result);
   }
 
-  /// Faces of open bodies are seen from either side.
+  /// Faces of open bodies are seen from either side, and so are those of operands: where a mesh is
+  /// inside out, a solid is entered through faces that look away.
   void turn_to_light(const CanonicalBody& body, Fanned& fans) const {
     Polyhedron& p = fans.polyhedron;
+    const bool operand = in_.membership(in_.faces[body.first_face].body).solid != kNone;
     for (Index f = 0; f < p.face_count(); ++f) {
       const CanonicalFace& face = in_.faces[body.first_face + fans.source[f]];
       const bool behind =
-          !body.closed && side_of_eye(in_.planes[face.plane], face.flipped, eye_) < 0;
+          (!body.closed || operand) && side_of_eye(in_.planes[face.plane], face.flipped, eye_) < 0;
       for (Index i = p.first_index(p.first_loop(f)); i < p.loop_ends[p.face_ends[f] - 1]; ++i)
         p.corner_normals[i] = turned_to_light(p.corner_normals[i], *in_.light, behind);
     }
