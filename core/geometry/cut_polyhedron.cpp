@@ -36,6 +36,7 @@ class Cutter {
         kept_(p.vertices.size(), kCap) {}
 
   CutPolyhedron cut(bool cap) {
+    is_solid_ = cap;
     for (Index f = 0; f < in_.face_count(); ++f) cut_face(f);
     if (cap) add_caps(out_, in_plane_, normal_);
     return std::move(out_);
@@ -105,6 +106,7 @@ class Cutter {
 
   /// In the plane, with the solid on the side that is taken away.
   bool gone(Index f, const std::vector<Chain>& loops) const {
+    if (!is_solid_) return false;
     for (const Chain& loop : loops)
       for (const Corner& c : loop)
         if (!in_plane_[c.vertex]) return false;
@@ -197,6 +199,7 @@ class Cutter {
   const std::vector<double>& height_;
   const Vec3 normal_;
   const double offset_;
+  bool is_solid_ = false;
   std::vector<Index> kept_;  ///< new number of an old vertex, or kCap
   std::unordered_map<std::uint64_t, Index> crossings_;
   std::vector<bool> in_plane_;

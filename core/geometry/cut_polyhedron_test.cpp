@@ -217,6 +217,15 @@ TEST(CutPolyhedron, OpenFacesGetNoCap) {
   EXPECT_EQ(part.face_source[0], 0u);
 }
 
+/// With a solid on the removed side it would be that solid's end; it has none.
+TEST(CutPolyhedron, OpenFacesInThePlaneStay) {
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  for (const double side : {1.0, -1.0})
+    EXPECT_EQ(cut_polyhedron(triangle, {0, 0, side}, 0, false).polyhedron.face_count(), 1u);
+}
+
 TEST(CutPolyhedron, NormalsAreInterpolatedOnAStraightLine) {
   Polyhedron triangle;
   for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);

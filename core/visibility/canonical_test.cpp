@@ -417,6 +417,24 @@ TEST(Clip, TonesOfOperandsStayWhereTheyAreFromBehind) {
   EXPECT_EQ(looked_at, 3);
 }
 
+/// What lies in the plane is not before it, whichever side of it is seen and whatever hangs on it.
+TEST(Clip, AnOpenBodyThatEndsInThePlaneEndsWithWhatLiesInIt) {
+  for (const bool turned : {false, true}) {
+    Mesh mesh;
+    mesh.polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+    turned ? mesh.polyhedron.add_face({0, 2, 1}) : mesh.polyhedron.add_face({0, 1, 2});
+    turned ? mesh.polyhedron.add_face({0, 1, 3}) : mesh.polyhedron.add_face({1, 0, 3});
+    Scene scene;
+    scene.camera.look_at = Vec3(0.0);  // the origin of the view
+    scene.bodies.push_back(body(std::make_shared<const Shape>(std::move(mesh))));
+    const Canonical left = cut(canon(scene).canonical, {{0, 0, 1}, 0});
+    ASSERT_EQ(left.bodies.size(), 1u);
+    ASSERT_EQ(left.faces.size(), 1u);
+    EXPECT_EQ(left.loop(0).size(), 3u);
+    EXPECT_EQ(left.edges.size(), 3u);
+  }
+}
+
 TEST(DensityLaw, IsNishitaAndNakamaes) {
   Scene scene;
   scene.bodies.push_back(body(shape(Box{})));

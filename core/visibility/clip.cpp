@@ -152,7 +152,9 @@ class Clipper {
     double lowest = 0, highest = 0;
     for (const double h : heights_) lowest = std::min(lowest, h), highest = std::max(highest, h);
     if (lowest >= 0) return copy(body);
-    if (highest > 0) cut(body);
+    // Of a body that ends in the plane what lies in it may be seen: a sheet's, a back that is
+    // inside out.
+    if (highest >= 0) cut(body);
   }
 
   CanonicalBody begin(const CanonicalBody& body) const {
