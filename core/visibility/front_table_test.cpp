@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/visibility/clip.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 namespace {
@@ -79,6 +80,43 @@ TEST(LineError, BoundsEveryLineOfABodyThatPassesTheEye) {
     }
   }
   EXPECT_GT(through, 100);
+}
+
+/// The eye stands in the plane of a box's top, within it or beside it: cut close before the eye,
+/// the top's corners are thousands of cells away, and all of it is seen on one line.
+TEST(FrontTable, FacesSeenEdgeOnLieOnOneLine) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const double beside = beside_line(kGrid.columns, kGrid.rows), horizon = kGrid.rows / 2;
+  int cut = 0;
+  for (int n = 0; n < 200; ++n) {
+    Scene scene;
+    scene.camera.eye = Vec3(u(random), u(random), 2);
+    scene.camera.target = scene.camera.eye.value() + Vec3(u(random), u(random), 0);
+    scene.camera.window_width = 4;
+    Body body;
+    body.shape = std::make_shared<const Shape>(Box{{3, 3, 2}});
+    body.placement.offset = {u(random) - 1.5, u(random) - 1.5, 0};
+    scene.bodies.push_back(body);
+    const View view = make_view(scene, kGrid);
+    std::vector<Diagnostic> warnings;
+    const Canonical whole = canonicalize(scene, view, 0.05, warnings);
+    const Canonical c = clip(whole, *view.near_plane, view.eye);
+    const FrontTable table(c, view, FrontUse::picture, 1);
+    const auto edge_on = [&](Index face) {
+      return side_of_eye(c.planes[c.faces[face].plane], false, view.eye) == 0;
+    };
+    for (const WingedEdge& e : c.edges) {
+      if (!edge_on(e.left) && !edge_on(e.right)) continue;
+      cut += c.faces[e.left].cut || c.faces[e.right].cut;
+      const Vec2 &a = table.points[e.from], &b = table.points[e.to];
+      for (const double x : {0.25, 8.0, 15.75}) {
+        if (x < std::min(a.x, b.x) || x > std::max(a.x, b.x)) continue;
+        EXPECT_NEAR(a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y), horizon, beside / 4) << n;
+      }
+    }
+  }
+  EXPECT_GT(cut, 100);
 }
 
 }  // namespace
