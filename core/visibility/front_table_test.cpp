@@ -8,6 +8,8 @@
 #include <random>
 
 #include "core/visibility/clip.h"
+#include "core/visibility/face_order.h"
+#include "core/visibility/loose_edges.h"
 #include "core/visibility/run_source.h"
 
 namespace overstrike {
@@ -117,6 +119,40 @@ TEST(FrontTable, FacesSeenEdgeOnLieOnOneLine) {
     }
   }
   EXPECT_GT(cut, 100);
+}
+
+/// Edges that lie along the diagonal but for a millionth of a millionth, in a grid that is turned
+/// by it: the planes of their faces cross on every level where the edge meets it.
+TEST(LooseEdges, ThatAreNearlyLevelLieWhereTheirFacesCross) {
+  std::mt19937_64 random(9);
+  int nearly_level = 0;
+  for (int n = 0; n < 300; ++n) {
+    const auto whole = [&] { return static_cast<double>(random() % 5) - 2; };
+    Scene scene;
+    scene.camera.look_at = Vec3(0.5, 0.5, 0);
+    scene.camera.from = {0, -90};
+    scene.camera.parallel = true;
+    scene.camera.window_width = 16;
+    Body body;
+    body.shape = std::make_shared<const Shape>(
+        Tetrahedron{{{1, 1, whole()}, {-1, -0.999999999999, whole()}, {-2, 2, -2}, {1, -2, 2}}});
+    scene.bodies.push_back(body);
+    scene.solids.push_back({{{SetOperation::operand, 0, 1}}, {}, {}, 0});
+    const View view = turned(make_view(scene, kGrid), n % 2 == 0 ? 45 : -45, {0, -20}, 1);
+    std::vector<Diagnostic> warnings;
+    const Canonical c = canonicalize(scene, view, 0.05, warnings);
+    const FrontTable table(c, view, FrontUse::picture, 1);
+    const FaceOrder order(table);
+    for (const WingedEdge& e : c.edges) {
+      LooseEdge edge;
+      if (!to_loose_edge(table, e, 0, edge) || edge.faces[1] == kNone) continue;
+      const double height = edge.line.y1 - edge.line.y0, y = edge.line.y0 + height / 3;
+      if (height > 1e-11 || height < 1e-13) continue;
+      EXPECT_NEAR(edge.line.x_at(y), order.crossing(edge.faces[0], edge.faces[1], y), 1e-9);
+      ++nearly_level;
+    }
+  }
+  EXPECT_GT(nearly_level, 50);
 }
 
 }  // namespace
