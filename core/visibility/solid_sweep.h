@@ -53,9 +53,10 @@ class SolidSweep {
              const SolidExpression* uncut = nullptr);
   /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
   void end_at_layer();
-  /// Begins where a span from `x0` to `x1` has ended over which these faces were active, given in
-  /// any order. False when doubles cannot tell their order there: what may cross at a span's end
-  /// keeps the order from before it, which the spans on the left know.
+  /// Begins where a span from `x0` has ended over which these faces were active, given in any
+  /// order. It was put in order up to `x1`, its end less the bound on that one's error. False when
+  /// doubles cannot tell their order there: what may cross at a span's end keeps the order from
+  /// before it, which the spans on the left know.
   bool resume(std::span<const Index> faces, double x0, double x1);
   /// The active faces.
   void copy_active(std::vector<Index>& faces) const;
