@@ -238,6 +238,28 @@ TEST(CutPolyhedron, NormalsAreInterpolatedOnAStraightLine) {
   EXPECT_EQ(found, 2);
 }
 
+/// Tilted by the last places of its normal the plane meets edges that almost lie in it in their
+/// middles, which heights in doubles are a thousandth off.
+TEST(CutPolyhedron, EdgesNearlyInThePlaneAreCutWhereTheyMeetIt) {
+  const Vec3 normal(0, -1, 0x1p-42);
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(0.3, 2, -2.9), Vec3(0.3, 2, 1.1), Vec3(1, 2, -2.9)})
+    triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  for (const double level : {-0.7, 0.1, 0.9}) {
+    const double offset = -2 + 0x1p-42 * level;  // rounded, to a place that is no end's
+    const double exact = (offset + 2) * 0x1p42;
+    const CutPolyhedron part = cut_polyhedron(triangle, normal, offset, false);
+    int found = 0;
+    for (Index v = 0; v < part.polyhedron.vertices.size(); ++v) {
+      if (part.origin[v].low == part.origin[v].high) continue;
+      EXPECT_NEAR(part.polyhedron.vertices[v].z, exact, 1e-12) << level;
+      ++found;
+    }
+    EXPECT_EQ(found, 2);
+  }
+}
+
 /// Of an edge of a million units a millionth from its middle, to a few last places of that.
 TEST(CutPolyhedron, VerticesOfLongEdgesKeepTheirOwnDigits) {
   constexpr double kFar = 1e6 / 3, kNear = 1e-6;
