@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-
-#include "core/visibility/far_line.h"
 
 namespace overstrike {
 namespace {
@@ -24,38 +21,27 @@ std::vector<LooseEdge> edges_of(const FrontTable& table) {
   return edges;
 }
 
-/// Not level but for rounding, but so nearly that rounding of its ends' heights, by `across`, moves
-/// it along the level by more than is kept from what lies beside it.
+/// Not level but for rounding of its ends' heights, by `across`, but so nearly that this moves it
+/// along the level by more than is kept from what lies beside it.
 bool is_nearly_level(const LevelLine& line, double across) {
-  return across * std::fabs(line.slope) >= kMostSlack && line.y1 - line.y0 > across;
+  constexpr double kSure = 4;
+  return across * std::fabs(line.slope) >= kMostSlack && line.y1 - line.y0 > kSure * across;
 }
 
-/// Where the planes of the edge's faces cross, to an ulp: there one of them is before the other up
-/// to the edge, and its shadow on the other ends. Nothing where that is farther from the vertices
-/// than their own rounding may move the edge: of faces that lie almost in one plane, say.
-std::optional<LevelLine> crossing_of_faces(const FrontTable& table, const WingedEdge& edge,
-                                           const LevelLine& rough, double across) {
-  if (edge.right == kNone) return {};
-  const Index left = table.plane_of(edge.left), right = table.plane_of(edge.right);
-  if (left == right) return {};
-  const ExactPlane p = table.depths.exact(left), q = table.depths.exact(right);
-  const double x0 = crossing_exactly(p, q, rough.y0), x1 = crossing_exactly(p, q, rough.y1);
-  const double most = across * std::fabs(rough.slope);
+/// The nearly level edge in which a front and a back meet: where their planes cross, to an ulp.
+/// They lie on one hand of it, and up to where their planes cross the farther one is before the
+/// other. As it is where that is farther from its ends than their own rounding may move it, twice
+/// what it does of the rounded line: of faces that lie almost in one plane.
+LevelLine crossing_of_faces(const FrontTable& table, const std::array<Index, 2>& faces,
+                            const LevelLine& rough, double across) {
+  const Index p = table.plane_of(faces[0]), q = table.plane_of(faces[1]);
+  if (p == q) return rough;
+  const ExactPlane f = table.depths.exact(p), g = table.depths.exact(q);
+  const double x0 = crossing_exactly(f, g, rough.y0), x1 = crossing_exactly(f, g, rough.y1);
+  const double most = 2 * across * std::fabs(rough.slope);
   const bool near =
       std::fabs(x0 - rough.x0) <= most && std::fabs(x1 - rough.x_at(rough.y1)) <= most;
-  if (!near) return {};
-  return LevelLine({x0, rough.y0}, {x1, rough.y1});
-}
-
-/// What else crosses a nearly level edge is found exactly, so that it is, too: or there would be
-/// something else between the two.
-LevelLine exact_line(const FrontTable& table, const WingedEdge& edge, const LevelLine& rough,
-                     double across) {
-  if (const auto line = crossing_of_faces(table, edge, rough, across)) return *line;
-  const bool down = table.points[edge.from].y < table.points[edge.to].y;
-  const Index top = down ? edge.from : edge.to, bottom = down ? edge.to : edge.from;
-  const std::vector<Vec3>& at = table.canonical.vertices;
-  return far_line(table.view, at[top], at[bottom], rough);
+  return near ? LevelLine({x0, rough.y0}, {x1, rough.y1}) : rough;
 }
 
 }  // namespace
@@ -65,11 +51,12 @@ bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, 
   if (!left && !right) return false;
   if (table.points[edge.from].y == table.points[edge.to].y) return false;
   out.line = table.line(table.bodies[body], edge.from, edge.to, edge.left, edge.right);
-  const double across = table.bodies[body].line_error.per_slope;
-  if (is_nearly_level(out.line, across) && !table.bodies[body].far)
-    out.line = exact_line(table, edge, out.line, across);
   if (!(out.line.y0 < out.line.y1)) return false;
   out.faces = {left ? edge.left : edge.right, left && right ? edge.right : kNone};
+  const double across = table.bodies[body].line_error.per_slope;
+  const bool fold = left && right && table.sides[edge.left] != table.sides[edge.right];
+  if (is_nearly_level(out.line, across) && fold && !table.bodies[body].far)
+    out.line = crossing_of_faces(table, out.faces, out.line, across);
   out.body = body;
   return true;
 }
