@@ -1,6 +1,7 @@
 #include "core/geometry/cut_polyhedron.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -36,6 +37,7 @@ class Cutter {
         kept_(p.vertices.size(), kCap) {}
 
   CutPolyhedron cut(bool cap) {
+    is_solid_ = cap;
     for (Index f = 0; f < in_.face_count(); ++f) cut_face(f);
     if (cap) add_caps(out_, in_plane_, normal_);
     return std::move(out_);
@@ -58,12 +60,16 @@ class Cutter {
   }
 
   /// The part t of the way. An end is rounded by its own last place, and so is what doubles find:
-  /// where that is more than a few of the new vertex's it is found exactly.
+  /// where that is more than a few of the new vertex's it is found exactly; and where the edge lies
+  /// so flatly in the plane that rounding of heights moves the vertex by more than 2^10 times that.
   Vec3 point_between(Index low, Index high, double t) const {
-    constexpr double kFew = 4;
+    constexpr double kFew = 4, kFlat = 0x1p-9;
     const Vec3 &from = in_.vertices[low], &to = in_.vertices[high];
     const Vec3 rough = from + (to - from) * t;
-    if (std::max(max_norm(from), max_norm(to)) <= kFew * max_norm(rough)) return rough;
+    const double rise = std::fabs(height_[low] - height_[high]);
+    if (std::max(max_norm(from), max_norm(to)) <= kFew * max_norm(rough) &&
+        rise >= kFlat * max_norm(to - from))
+      return rough;
     const Expansion above = exact_height(from, normal_, offset_),
                     below = -exact_height(to, normal_, offset_);
     if (above.sign() * below.sign() <= 0) return rough;  // one lies in the plane but for rounding
@@ -105,6 +111,7 @@ class Cutter {
 
   /// In the plane, with the solid on the side that is taken away.
   bool gone(Index f, const std::vector<Chain>& loops) const {
+    if (!is_solid_) return false;
     for (const Chain& loop : loops)
       for (const Corner& c : loop)
         if (!in_plane_[c.vertex]) return false;
@@ -197,6 +204,7 @@ class Cutter {
   const std::vector<double>& height_;
   const Vec3 normal_;
   const double offset_;
+  bool is_solid_ = false;
   std::vector<Index> kept_;  ///< new number of an old vertex, or kCap
   std::unordered_map<std::uint64_t, Index> crossings_;
   std::vector<bool> in_plane_;

@@ -29,8 +29,8 @@ struct CutPolyhedron {
 /// straight line, not of unit length, so that what is linear in normals stays linear. With `cap`,
 /// the cut is closed where its winding number is not 0 (cap.h): by one face whose outward side is
 /// -normal and that holds all loops of the cut; by several, one on the other, where a polyhedron
-/// lies within itself more than once. Faces in the plane that have the solid on the removed side
-/// are gone.
+/// lies within itself more than once; and faces in the plane that have the solid on the removed
+/// side are gone.
 CutPolyhedron cut_polyhedron(const Polyhedron& polyhedron, const Vec3& normal, double offset,
                              bool cap);
 /// With heights of the vertices over the plane that are known better than from the vertices.

@@ -217,6 +217,15 @@ TEST(CutPolyhedron, OpenFacesGetNoCap) {
   EXPECT_EQ(part.face_source[0], 0u);
 }
 
+/// With a solid on the removed side it would be that solid's end; it has none.
+TEST(CutPolyhedron, OpenFacesInThePlaneStay) {
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  for (const double side : {1.0, -1.0})
+    EXPECT_EQ(cut_polyhedron(triangle, {0, 0, side}, 0, false).polyhedron.face_count(), 1u);
+}
+
 TEST(CutPolyhedron, NormalsAreInterpolatedOnAStraightLine) {
   Polyhedron triangle;
   for (const Vec3 v : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}) triangle.add_vertex(v);
@@ -227,6 +236,28 @@ TEST(CutPolyhedron, NormalsAreInterpolatedOnAStraightLine) {
   int found = 0;
   for (const Vec3& n : part.polyhedron.corner_normals) found += max_norm(n - middle) < 1e-15;
   EXPECT_EQ(found, 2);
+}
+
+/// Tilted by the last places of its normal the plane meets edges that almost lie in it in their
+/// middles, which heights in doubles are a thousandth off.
+TEST(CutPolyhedron, EdgesNearlyInThePlaneAreCutWhereTheyMeetIt) {
+  const Vec3 normal(0, -1, 0x1p-42);
+  Polyhedron triangle;
+  for (const Vec3 v : {Vec3(0.3, 2, -2.9), Vec3(0.3, 2, 1.1), Vec3(1, 2, -2.9)})
+    triangle.add_vertex(v);
+  triangle.add_face({0, 1, 2});
+  for (const double level : {-0.7, 0.1, 0.9}) {
+    const double offset = -2 + 0x1p-42 * level;  // rounded, to a place that is no end's
+    const double exact = (offset + 2) * 0x1p42;
+    const CutPolyhedron part = cut_polyhedron(triangle, normal, offset, false);
+    int found = 0;
+    for (Index v = 0; v < part.polyhedron.vertices.size(); ++v) {
+      if (part.origin[v].low == part.origin[v].high) continue;
+      EXPECT_NEAR(part.polyhedron.vertices[v].z, exact, 1e-12) << level;
+      ++found;
+    }
+    EXPECT_EQ(found, 2);
+  }
 }
 
 /// Of an edge of a million units a millionth from its middle, to a few last places of that.

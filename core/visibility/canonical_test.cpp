@@ -386,6 +386,55 @@ TEST(Clip, TonesOfSheetsStayWhereTheyAre) {
   }
 }
 
+/// A face may be seen from behind where an operand is inside out.
+TEST(Clip, TonesOfOperandsStayWhereTheyAreFromBehind) {
+  Mesh mesh;
+  mesh.polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+  for (const auto& face : {std::array<Index, 3>{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}})
+    mesh.polyhedron.add_face(face);
+  mesh.polyhedron.corner_normals.assign(12, Vec3(0, 0, 1));
+  mesh.polyhedron.corner_normals[2] = {0, 0, -1};
+  Scene scene;
+  scene.camera.look_at = Vec3(0.0);  // the origin of the view
+  scene.light = Direction{0, 90};
+  scene.bodies.push_back(body(std::make_shared<const Shape>(std::move(mesh))));
+  scene.bodies[0].shading = Shading::smooth;
+  scene.solids.push_back({{{SetOperation::operand, 0, 1}}, {}, {}, 0});
+  const Canonical c = canon(scene).canonical;
+  const auto tone = [](const Canonical& of, Index corner) {
+    return lit_density(of, of.bodies[0], -of.corner_normals[corner]);
+  };
+  const Canonical half = clip(c, {{0, 0, 1}, 0.25}, Vec4(0, 1, 0, 0));
+  int looked_at = 0;
+  for (const CanonicalFace& f : half.faces) {
+    if (f.plane != c.faces[0].plane) continue;
+    for (Index i = half.first_corner(f.first_loop); i < half.loop_ends[f.first_loop]; ++i) {
+      const double z = half.vertices[half.corners[i]].z;
+      EXPECT_NEAR(tone(half, i), (1 - z) * tone(c, 0) + z * tone(c, 2), 0x1p-50) << z;
+      ++looked_at;
+    }
+  }
+  EXPECT_EQ(looked_at, 3);
+}
+
+/// What lies in the plane is not before it, whichever side of it is seen and whatever hangs on it.
+TEST(Clip, AnOpenBodyThatEndsInThePlaneEndsWithWhatLiesInIt) {
+  for (const bool turned : {false, true}) {
+    Mesh mesh;
+    mesh.polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+    turned ? mesh.polyhedron.add_face({0, 2, 1}) : mesh.polyhedron.add_face({0, 1, 2});
+    turned ? mesh.polyhedron.add_face({0, 1, 3}) : mesh.polyhedron.add_face({1, 0, 3});
+    Scene scene;
+    scene.camera.look_at = Vec3(0.0);  // the origin of the view
+    scene.bodies.push_back(body(std::make_shared<const Shape>(std::move(mesh))));
+    const Canonical left = cut(canon(scene).canonical, {{0, 0, 1}, 0});
+    ASSERT_EQ(left.bodies.size(), 1u);
+    ASSERT_EQ(left.faces.size(), 1u);
+    EXPECT_EQ(left.loop(0).size(), 3u);
+    EXPECT_EQ(left.edges.size(), 3u);
+  }
+}
+
 TEST(DensityLaw, IsNishitaAndNakamaes) {
   Scene scene;
   scene.bodies.push_back(body(shape(Box{})));

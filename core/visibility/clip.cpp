@@ -152,7 +152,9 @@ class Clipper {
     double lowest = 0, highest = 0;
     for (const double h : heights_) lowest = std::min(lowest, h), highest = std::max(highest, h);
     if (lowest >= 0) return copy(body);
-    if (highest > 0) cut(body);
+    // Of a body that ends in the plane what lies in it may be seen: a sheet's, a back that is
+    // inside out.
+    if (highest >= 0) cut(body);
   }
 
   CanonicalBody begin(const CanonicalBody& body) const {
@@ -220,8 +222,8 @@ class Clipper {
     end(result);
   }
 
-  /// Faces of open bodies are seen from either side, and those of operands: of what is taken away,
-  /// from behind.
+  /// Faces of open bodies are seen from either side, and so are those of operands: of what is taken
+  /// away, and where a mesh is inside out.
   void turn_to_light(const CanonicalBody& body, Fanned& fans) const {
     Polyhedron& p = fans.polyhedron;
     const auto number = static_cast<Index>(&body - in_.bodies.data());

@@ -7,6 +7,7 @@
 #include "core/large_pages.h"
 #include "core/shading/density_law.h"
 #include "core/visibility/depth_range.h"
+#include "core/visibility/edge_on_faces.h"
 #include "core/visibility/far_line.h"
 #include "core/visibility/front_outline.h"
 #include "core/visibility/ground_polygon.h"
@@ -50,6 +51,9 @@ class Builder {
   void look_at(Index number) {
     project(number);
     look_at_faces(number);
+    if (!rough_ || !edge_on_) return;
+    lay_edge_on_faces(table_, number);
+    look_at_faces(number);
   }
   void find_outline(Index number) { outlines_.find(number); }
   void add_ground();
@@ -67,7 +71,10 @@ class Builder {
   FrontTable& table_;
   const Canonical& c_;
   const View& view_;
-  Vec2 reach_{0.0};  ///< bounds of the sizes of the present body's coordinates
+  // Of the present body.
+  Vec2 reach_{0.0};       ///< bounds of the sizes of its coordinates
+  bool rough_ = false;    ///< its points may be off by more than lines are looked at beside
+  bool edge_on_ = false;  ///< it has faces that are seen edge-on
   OutlineFinder outlines_;
 };
 
@@ -98,6 +105,7 @@ void Builder::project(Index number) {
   }
   reach_ = most;
   front.far = table_.use == FrontUse::picture && !(std::max(most.x, most.y) <= kFarAway);
+  rough_ = false;
   if (body.first_vertex == body.end_vertex) return;
   Vec4 size = glm::abs(m[3]);
   const Vec3 reach = glm::max(glm::abs(front.low), glm::abs(front.high));
@@ -110,6 +118,7 @@ void Builder::project(Index number) {
       table_.use == FrontUse::picture ? beside_line(table_.columns, table_.rows) : 0;
   front.line_error = {2 * error + 4 * kEps * most.x, 2 * error + 4 * kEps * most.y, beside,
                       4 * kEps * std::max(size.x, size.y) / least_w, 4 * kEps * size.z / least_w};
+  rough_ = view_.perspective && beside > 0 && 2 * error > beside;
   if (front.far) front.line_error = far_line_error(table_, number);
 }
 
@@ -192,10 +201,12 @@ void Builder::look_at_faces(Index number) {
   const bool picture = table_.use == FrontUse::picture;
   const bool operand = c_.membership(number).solid != kNone;
   bool from_front = false, from_behind = false, walk = true;
+  edge_on_ = front.turned = false;
   for (Index i = body.first_face; i < body.end_face; ++i) {
     const CanonicalFace& f = c_.faces[i];
     const int side = side_of_eye(c_.planes[f.plane], f.flipped, view_.eye);
     const bool behind = side < 0;
+    edge_on_ = edge_on_ || side == 0;
     if (side == 0 || (behind && body.closed && !f.cut && !operand)) continue;
     const Index first = front.triangles ? body.first_corner + 3 * (i - body.first_face)
                                         : c_.first_corner(f.first_loop);

@@ -8,6 +8,9 @@
 #include <random>
 
 #include "core/visibility/clip.h"
+#include "core/visibility/face_order.h"
+#include "core/visibility/loose_edges.h"
+#include "core/visibility/run_source.h"
 
 namespace overstrike {
 namespace {
@@ -79,6 +82,81 @@ TEST(LineError, BoundsEveryLineOfABodyThatPassesTheEye) {
     }
   }
   EXPECT_GT(through, 100);
+}
+
+/// The eye stands in the plane of a box's top, within it or beside it: cut close before the eye,
+/// the top's corners are thousands of cells away, and all of it is seen on one line.
+TEST(FrontTable, FacesSeenEdgeOnLieOnOneLine) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const double beside = beside_line(kGrid.columns, kGrid.rows), horizon = kGrid.rows / 2;
+  int cut = 0;
+  for (int n = 0; n < 200; ++n) {
+    Scene scene;
+    scene.camera.eye = Vec3(u(random), u(random), 2);
+    scene.camera.target = scene.camera.eye.value() + Vec3(u(random), u(random), 0);
+    scene.camera.window_width = 4;
+    Body body;
+    body.shape = std::make_shared<const Shape>(Box{{3, 3, 2}});
+    body.placement.offset = {u(random) - 1.5, u(random) - 1.5, 0};
+    scene.bodies.push_back(body);
+    const View view = make_view(scene, kGrid);
+    std::vector<Diagnostic> warnings;
+    const Canonical whole = canonicalize(scene, view, 0.05, warnings);
+    const Canonical c = clip(whole, *view.near_plane, view.eye);
+    const FrontTable table(c, view, FrontUse::picture, 1);
+    const auto edge_on = [&](Index face) {
+      return side_of_eye(c.planes[c.faces[face].plane], false, view.eye) == 0;
+    };
+    for (const WingedEdge& e : c.edges) {
+      if (!edge_on(e.left) && !edge_on(e.right)) continue;
+      cut += c.faces[e.left].cut || c.faces[e.right].cut;
+      const Vec2 &a = table.points[e.from], &b = table.points[e.to];
+      for (const double x : {0.25, 8.0, 15.75}) {
+        if (x < std::min(a.x, b.x) || x > std::max(a.x, b.x)) continue;
+        EXPECT_NEAR(a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y), horizon, beside / 4) << n;
+      }
+    }
+  }
+  EXPECT_GT(cut, 100);
+}
+
+/// Edges that lie along the diagonal but for a millionth of a millionth, in a grid that is turned
+/// by it: the planes of a front and a back cross on every level where their edge meets it.
+TEST(LooseEdges, ThatAreNearlyLevelLieWhereTheirFacesCross) {
+  std::mt19937_64 random(9);
+  int nearly_level = 0;
+  for (int n = 0; n < 300; ++n) {
+    const auto whole = [&] { return static_cast<double>(random() % 5) - 2; };
+    Scene scene;
+    scene.camera.look_at = Vec3(0.5, 0.5, 0);
+    scene.camera.from = {0, -90};
+    scene.camera.parallel = true;
+    scene.camera.window_width = 16;
+    Body body;
+    body.shape = std::make_shared<const Shape>(Tetrahedron{
+        {{1, 1, whole()}, {-1, -0.999999999998, whole()}, {-2, 2, whole()}, {0, 2, -1}}});
+    scene.bodies.push_back(body);
+    scene.solids.push_back({{{SetOperation::operand, 0, 1}}, {}, {}, 0});
+    const View view = turned(make_view(scene, kGrid), n % 2 == 0 ? 45 : -45, {0, -20}, 1);
+    std::vector<Diagnostic> warnings;
+    const Canonical c = canonicalize(scene, view, 0.05, warnings);
+    const FrontTable table(c, view, FrontUse::picture, 1);
+    const FaceOrder order(table);
+    for (const WingedEdge& e : c.edges) {
+      LooseEdge edge;
+      if (!to_loose_edge(table, e, 0, edge) || table.sides[e.left] == table.sides[e.right])
+        continue;
+      const double height = edge.line.y1 - edge.line.y0, y = edge.line.y0 + height / 3;
+      if (height > 1e-11 || height < 5 * table.bodies[0].line_error.per_slope) continue;
+      const Vec3 &p = c.planes[c.faces[e.left].plane].normal,
+                 &q = c.planes[c.faces[e.right].plane].normal;
+      if (glm::length(glm::cross(p, q)) < 0.1) continue;  // it is almost flat
+      EXPECT_NEAR(edge.line.x_at(y), order.crossing(edge.faces[0], edge.faces[1], y), 1e-9);
+      ++nearly_level;
+    }
+  }
+  EXPECT_GT(nearly_level, 50);
 }
 
 }  // namespace

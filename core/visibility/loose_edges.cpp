@@ -1,6 +1,7 @@
 #include "core/visibility/loose_edges.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace overstrike {
 namespace {
@@ -20,6 +21,29 @@ std::vector<LooseEdge> edges_of(const FrontTable& table) {
   return edges;
 }
 
+/// Not level but for rounding of its ends' heights, by `across`, but so nearly that this moves it
+/// along the level by more than is kept from what lies beside it.
+bool is_nearly_level(const LevelLine& line, double across) {
+  constexpr double kSure = 4;
+  return across * std::fabs(line.slope) >= kMostSlack && line.y1 - line.y0 > kSure * across;
+}
+
+/// The nearly level edge in which a front and a back meet: where their planes cross, to an ulp.
+/// They lie on one hand of it, and up to where their planes cross the farther one is before the
+/// other. As it is where that is farther from its ends than their own rounding may move it, twice
+/// what it does of the rounded line: of faces that lie almost in one plane.
+LevelLine crossing_of_faces(const FrontTable& table, const std::array<Index, 2>& faces,
+                            const LevelLine& rough, double across) {
+  const Index p = table.plane_of(faces[0]), q = table.plane_of(faces[1]);
+  if (p == q) return rough;
+  const ExactPlane f = table.depths.exact(p), g = table.depths.exact(q);
+  const double x0 = crossing_exactly(f, g, rough.y0), x1 = crossing_exactly(f, g, rough.y1);
+  const double most = 2 * across * std::fabs(rough.slope);
+  const bool near =
+      std::fabs(x0 - rough.x0) <= most && std::fabs(x1 - rough.x_at(rough.y1)) <= most;
+  return near ? LevelLine({x0, rough.y0}, {x1, rough.y1}) : rough;
+}
+
 }  // namespace
 
 bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, LooseEdge& out) {
@@ -29,6 +53,10 @@ bool to_loose_edge(const FrontTable& table, const WingedEdge& edge, Index body, 
   out.line = table.line(table.bodies[body], edge.from, edge.to, edge.left, edge.right);
   if (!(out.line.y0 < out.line.y1)) return false;
   out.faces = {left ? edge.left : edge.right, left && right ? edge.right : kNone};
+  const double across = table.bodies[body].line_error.per_slope;
+  const bool fold = left && right && table.sides[edge.left] != table.sides[edge.right];
+  if (is_nearly_level(out.line, across) && fold && !table.bodies[body].far)
+    out.line = crossing_of_faces(table, out.faces, out.line, across);
   out.body = body;
   return true;
 }

@@ -201,7 +201,8 @@ std::size_t SolidRows::begin_before(std::size_t at, double y) {
   sweep.begin(expression_, order_, y, reach_);
   while (at > 0) {
     const std::size_t left = met_.first_beside(at - 1);
-    if (sweep.resume(node(at - 1).active, met_.x(left), met_.x(at))) return at;
+    const double high = met_.x(at) - met_.slack(at);
+    if (sweep.resume(node(at - 1).active, met_.x(left), high)) return at;
     sweep.begin(expression_, order_, y, reach_);
     at = left;
   }

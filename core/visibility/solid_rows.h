@@ -13,9 +13,8 @@
 // the span before, and goes on to the right until the layers are again what they were.
 //
 // Only what no rounding is known to change is kept, so that a level has the same bits as one that
-// is resolved by itself. Where planes cross within 1e-12 of an edge of a surface that passes
-// through itself, fuzzing has seen ends that differ by 3e-13 of a cell: such layers keep, on a
-// level by itself, an order that hangs on the spans before.
+// is resolved by itself. What goes on from a kept span begins with the order that a level by itself
+// has there: planes that cross where the span's end is uncertain have not done so yet.
 #include <vector>
 
 #include "core/visibility/edge_order.h"

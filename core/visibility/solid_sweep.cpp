@@ -38,7 +38,7 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
   order_ = &order;
   y_ = y, reach_ = reach;
   layers_.clear(), passed_.clear(), at_end_.clear();
-  ends_ = false;
+  ends_ = false, fresh_ = 0;
 }
 
 void SolidSweep::end_at_layer() {
@@ -60,26 +60,53 @@ bool SolidSweep::resume(std::span<const Index> faces, double x0, double x1) {
   // So wide that what crosses within an end's doubt does not reach the middle.
   constexpr double kWide = 4 * kCrossingError;
   const double middle = x1 - x0 > kWide ? x0 + (x1 - x0) / 2 : x1;
-  layers_.clear();
-  bool in_order = true;
+  layers_.clear(), fresh_ = 0;
   for (const Index face : faces) {
     layers_.push_back(layer_of(face));
     layers_.back().fresh = false;
-    std::size_t at = layers_.size() - 1;
-    if (at == 0 || follows(at, middle, x1)) continue;
-    in_order = false;
-    for (; at > 0 && was_before(layers_[at], layers_[at - 1], middle, x1); --at)
-      std::swap(layers_[at], layers_[at - 1]);
   }
-  for (std::size_t i = 1; !in_order && i < layers_.size(); ++i)
-    if (!follows(i, middle, x1)) return false;
+  if (in_order(middle, x1)) return true;
+  forget_doubts();
+  for (std::size_t i = 1; i < layers_.size(); ++i)
+    for (std::size_t at = i; at > 0 && was_before(layers_[at], layers_[at - 1], middle, x1); --at)
+      std::swap(layers_[at], layers_[at - 1]);
+  return in_order(middle, x1);
+}
+
+bool SolidSweep::in_order(double middle, double end) {
+  for (std::size_t i = 1; i < layers_.size(); ++i)
+    if (!follows(i, middle, end)) return false;
   return true;
 }
 
 /// Whether a layer surely lay behind the one before it, or lies in its plane.
-bool SolidSweep::follows(std::size_t at, double middle, double end) const {
-  return layers_[at - 1].plane == layers_[at].plane ||
-         was_before(layers_[at - 1], layers_[at], middle, end);
+bool SolidSweep::follows(std::size_t at, double middle, double end) {
+  const Layer &near = layers_[at - 1], &far = layers_[at];
+  if (near.plane == far.plane) return true;
+  bool sharp = false;
+  const int side = compare_at(near, far, end, sharp);
+  if (side != 0 || !sharp) return side > 0;
+  note_doubt(at - 1);
+  return compare_at(near, far, middle, sharp) > 0;
+}
+
+/// The plane of a layer meets that of the next one at the end of the span in hand. Whether they
+/// have crossed is looked at in the next span, where their faces may have other neighbours.
+void SolidSweep::note_doubt(std::size_t at) {
+  Layer *near = &layers_[at], *far = near + 1;
+  Layer *const first = layers_.data(), *const last = first + layers_.size() - 1;
+  fresh_ += !near->fresh + !far->fresh;
+  near->fresh = far->fresh = true;
+  for (; near != first && near[-1].plane == near->plane; --near)
+    fresh_ += !near[-1].fresh, near[-1].fresh = true;
+  for (; far != last && far[1].plane == far->plane; ++far)
+    fresh_ += !far[1].fresh, far[1].fresh = true;
+}
+
+void SolidSweep::forget_doubts() {
+  if (fresh_ == 0) return;
+  for (Layer& layer : layers_) layer.fresh = false;
+  fresh_ = 0;
 }
 
 /// Surely so at the end of a span, or where that is in doubt, in its middle.
@@ -171,6 +198,7 @@ void SolidSweep::replace(std::size_t at, Index face) {
   // it is where the other was, or crosses its neighbours here; but stored planes do not meet in
   // their edge exactly, which counts where a neighbour is as near as that.
   layers_[at].fresh = tied || ties_now || before.replaced_at == settlings_ || !stands_clear(at);
+  fresh_ += layers_[at].fresh - before.fresh;
   const bool alike = layers_[at].enters == before.enters && !tied && !ties_now;
   if (!alike) return changed_at(at);
   for (Candidate* const c : {&solid_, &uncut_})
@@ -183,6 +211,7 @@ void SolidSweep::toggle(Index face) {
       std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.face == face; });
   if (layer != layers_.end()) {
     const auto at = static_cast<std::size_t>(layer - layers_.begin());
+    fresh_ -= layer->fresh;
     layers_.erase(layer);
     changed_at(at);
   } else if (const auto there = std::find(entering_.begin(), entering_.end(), face);
@@ -208,7 +237,6 @@ void SolidSweep::toggle_at_end(Index face) {
 void SolidSweep::settle(double low, double high) {
   low_ = low, high_ = high, ++settlings_;
   entering_.clear();
-  bool any_fresh = false;
   for (const auto& [f, g] : passed_) {
     if (g == kNone) {
       toggle(f);
@@ -223,16 +251,15 @@ void SolidSweep::settle(double low, double high) {
     const Index other = has_f ? g : f;
     if (has_f != has_g && std::find(entering_.begin(), entering_.end(), other) == entering_.end()) {
       replace(has_f ? at_f : at_g, other);
-      any_fresh = any_fresh || layers_[has_f ? at_f : at_g].fresh;
       continue;
     }
     toggle(f), toggle(g);
   }
   passed_.clear();
-  if (any_fresh) {
+  if (fresh_ > 0) {
     for (std::size_t i = 1; i < layers_.size(); ++i)
       if (layers_[i].fresh || layers_[i - 1].fresh) move_into_order(i);
-    for (Layer& layer : layers_) layer.fresh = false;
+    forget_doubts();
   }
   for (const Index face : entering_) insert(face);
   if (options_.coherence == Coherence::none) forget_last_span();
@@ -300,6 +327,7 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
     bool sharp = false;
     int side = compare_at(near, far, high_, sharp);
     if (side > 0) near.before = far.face, near.before_until = before_until(near, far);
+    if (side == 0 && sharp) note_doubt(i);
     if (side > 0 || (side == 0 && sharp)) continue;
     if (side == 0) side = order_->compare(near.face, far.face, high_, y_);
     if (side >= 0) continue;
@@ -313,6 +341,7 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
 void SolidSweep::exchange(std::size_t first) {
   std::swap(layers_[first], layers_[first + 1]);
   changed_at(first);
+  forget_doubts();
   if (options_.coherence < Coherence::span_and_behind) forget_seen();
   ++counts_.crossings;
 }

@@ -54,9 +54,10 @@ class SolidSweep {
              const SolidExpression* uncut = nullptr);
   /// From here on what lies behind the layer LayerOrder::kEnd is not looked for.
   void end_at_layer();
-  /// Begins where a span from `x0` to `x1` has ended over which these faces were active, given in
-  /// any order. False when doubles cannot tell their order there: what may cross at a span's end
-  /// keeps the order from before it, which the spans on the left know.
+  /// Begins where a span from `x0` has ended over which these faces were active, given in any
+  /// order. It was put in order up to `x1`, its end less the bound on that one's error. False when
+  /// doubles cannot tell their order there: what may cross at a span's end keeps the order from
+  /// before it, which the spans on the left know.
   bool resume(std::span<const Index> faces, double x0, double x1);
   /// The active faces.
   void copy_active(std::vector<Index>& faces) const;
@@ -78,7 +79,8 @@ class SolidSweep {
     Index plane, operand;
     int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
     double slope, constant, slope_error, constant_error;
-    bool fresh;  ///< it took the place of another in the span in hand, and may be out of order
+    bool fresh;  ///< it took the place of another, or met a neighbour where the last span ended,
+                 ///< and may be out of order
     std::uint64_t replaced_at = 0;  ///< number of the settling in which it took another's place
     // It stays before that face up to there; kept by next_crossing().
     Index before = kNone;
@@ -106,7 +108,10 @@ class SolidSweep {
   void forget_last_span();
   void forget_seen();
   bool was_before(const Layer& a, const Layer& b, double middle, double end) const;
-  bool follows(std::size_t at, double middle, double end) const;
+  bool in_order(double middle, double end);
+  bool follows(std::size_t at, double middle, double end);
+  void note_doubt(std::size_t at);
+  void forget_doubts();
   void replace(std::size_t at, Index face);
   void toggle(Index face);
   void toggle_at_end(Index face);
@@ -137,6 +142,7 @@ class SolidSweep {
   std::uint64_t settlings_ = 0;
   double low_ = 0, high_ = 0;  ///< within the span in hand
   std::vector<Layer> layers_;  ///< from near to far
+  int fresh_ = 0;              ///< of them, how many are
   SpanRecord* record_ = nullptr;
   bool ends_ = false;          ///< one of them is kEnd
   std::vector<Layer> at_end_;  ///< faces that lie in it, from near to far beside it

@@ -75,11 +75,14 @@ std::string fault_of(const Canonical& c, const CanonicalBody& body) {
   return {};
 }
 
-bool passes_through(const Canonical& c, const CanonicalBody& body, double ground) {
+/// By more than it may where it stands on the ground; or with all of it, by whatever: then the
+/// ground hides it.
+bool reaches_below(const Canonical& c, const CanonicalBody& body, double ground) {
   const double touch = kTouch * std::max(reach_of(c, body), std::fabs(ground));
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
   for (Index v = body.first_vertex; v < body.end_vertex; ++v)
-    if (c.vertices[v].z < ground - touch) return true;
-  return false;
+    lowest = std::min(lowest, c.vertices[v].z), highest = std::max(highest, c.vertices[v].z);
+  return lowest < ground - touch || (lowest <= highest && highest < ground);
 }
 
 /// Copies of one body have one place in the scene, and one fault.
@@ -93,7 +96,7 @@ void check_bodies(const Scene& scene, const Canonical& c, const View& view) {
   const bool sees_ground = c.ground_z && view.eye.z - *c.ground_z * view.eye.w > 0;
   for (const CanonicalBody& body : c.bodies) {
     std::string fault = fault_of(c, body);
-    if (fault.empty() && sees_ground && passes_through(c, body, *c.ground_z))
+    if (fault.empty() && sees_ground && reaches_below(c, body, *c.ground_z))
       fault = "reaches below the ground";
     if (fault.empty()) continue;
     const Body& source = scene.bodies[body.source];

@@ -134,6 +134,18 @@ TEST(Nn74Refuses, BodiesInAGroundThatIsSeen) {
   EXPECT_EQ(refusal(scene), "") << "from below there is no ground";
 }
 
+/// By one last place: it is not seen.
+TEST(Nn74Refuses, ASheetBelowAGroundThatIsSeen) {
+  Scene scene;
+  named(add(scene, FlatPolygon{{{{0, 0, 1}, {2, 0, 1}, {0, 2, 1}}}}), "mat", 4);
+  scene.ground_z = 1;
+  EXPECT_EQ(refusal(scene), "");
+  scene.ground_z = 1 + 0x1p-52;
+  EXPECT_EQ(refusal(scene),
+            "scene.yaml:4:5: error: method nn74: polygon 'mat' reaches below the ground (method "
+            "line draws it)\n");
+}
+
 TEST(Nn74Draws, BodiesThatTouch) {
   Scene scene;
   add(scene, Box{{1, 1, 1}});
