@@ -209,12 +209,18 @@ class Repairer {
     filter([&](Index f) { return !std::binary_search(copies.begin(), copies.end(), f); });
   }
 
+  void take_loops(Index f, std::vector<std::vector<Vec3>>& loops) const {
+    const Index first = p_.first_loop(f);
+    loops.resize(p_.face_ends[f] - first);
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      loops[l].clear();
+      for (const Index v : p_.loop(first + static_cast<Index>(l)))
+        loops[l].push_back(p_.vertices[v]);
+    }
+  }
   std::vector<std::vector<Vec3>> loops_of(Index f) const {
     std::vector<std::vector<Vec3>> loops;
-    for (Index l = p_.first_loop(f); l < p_.face_ends[f]; ++l) {
-      loops.emplace_back();
-      for (const Index v : p_.loop(l)) loops.back().push_back(p_.vertices[v]);
-    }
+    take_loops(f, loops);
     return loops;
   }
   bool is_triangle(Index f) const {
@@ -223,12 +229,15 @@ class Repairer {
 
   void name_crossing() {
     crossing_.assign(p_.face_count(), false), off_.assign(p_.face_count(), 0);
+    std::vector<std::vector<Vec3>> loops;
     std::vector<Index> faces;
     for (Index f = 0; f < p_.face_count(); ++f) {
       if (is_triangle(f)) continue;
       const PlaneFit fit = fit_plane(p_, f);
       off_[f] = unplanar(f, fit);
-      if (off_[f] > 0 || !crosses_itself(loops_of(f), fit.normal)) continue;
+      if (off_[f] > 0) continue;
+      take_loops(f, loops);
+      if (!crosses_itself(loops, fit.normal)) continue;
       crossing_[f] = true;
       faces.push_back(f);
     }

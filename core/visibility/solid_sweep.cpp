@@ -326,7 +326,11 @@ std::optional<SolidSweep::Crossing> SolidSweep::next_crossing(double from) {
     if (near.plane == far.plane) continue;
     bool sharp = false;
     int side = compare_at(near, far, high_, sharp);
-    if (side > 0) near.before = far.face, near.before_until = before_until(near, far);
+    if (side > 0) {
+      // For how long is asked for where they are together once more.
+      near.before_until = near.before == far.face ? before_until(near, far) : high_;
+      near.before = far.face;
+    }
     if (side == 0 && sharp) note_doubt(i);
     if (side > 0 || (side == 0 && sharp)) continue;
     if (side == 0) side = order_->compare(near.face, far.face, high_, y_);
