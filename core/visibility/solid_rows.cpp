@@ -30,7 +30,7 @@ SolidRows::SolidRows(const SolidExpression& expression, const LayerOrder& order,
       lines_(lines),
       reach_(reach),
       tools_(tools),
-      certifier_(tools.canonical, order, reach) {}
+      certifier_(order, reach) {}
 
 void SolidRows::begin_at(double border, std::span<const Index> faces) {
   border_ = border, at_left_ = faces;

@@ -29,9 +29,8 @@ namespace overstrike {
 
 /// What one thread needs to resolve levels; of one input, for any of its solids.
 struct SolidTools {
-  explicit SolidTools(const Canonical& input, const SolidOptions& options = {})
-      : canonical(input), sweep(input, options), mark(input.faces.size(), 0) {}
-  const Canonical& canonical;
+  explicit SolidTools(const Canonical& canonical, const SolidOptions& options = {})
+      : sweep(canonical, options), mark(canonical.faces.size(), 0) {}
   SolidSweep sweep;
   SpanRecord record;
   std::vector<std::uint32_t> mark;  ///< per face

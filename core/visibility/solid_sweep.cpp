@@ -42,17 +42,9 @@ void SolidSweep::begin(const SolidExpression& expression, const LayerOrder& orde
 }
 
 void SolidSweep::end_at_layer() {
-  const DepthPlane& d = order_->depth_of(LayerOrder::kEnd);
-  Layer end{LayerOrder::kEnd,
-            LayerOrder::kEnd,
-            0,
-            0,
-            d.a,
-            d.b * y_ + d.c,
-            d.ea,
-            d.eb * std::fabs(y_) + d.ec,
-            false};
-  layers_.push_back(end);
+  layers_.push_back(
+      on_level({LayerOrder::kEnd, LayerOrder::kEnd, 0, 0, order_->depth_of(LayerOrder::kEnd)}));
+  layers_.back().fresh = false;
   ends_ = true;
 }
 
@@ -126,25 +118,22 @@ void SolidSweep::pass(const std::array<Index, 2>& faces) { passed_.push_back(fac
 
 SolidSweep::Layer SolidSweep::layer_of(Index face) const {
   const CanonicalFace& f = canonical_.faces[face];
-  const DepthPlane& d = order_->depth_of(face);
-  return {face,
-          f.plane,
-          canonical_.memberships[f.body].operand,
-          order_->enters(face),
-          d.a,
-          d.b * y_ + d.c,
-          d.ea,
-          d.eb * std::fabs(y_) + d.ec,
-          true};
+  return on_level({face, f.plane, canonical_.memberships[f.body].operand, order_->enters(face),
+                   order_->depth_of(face)});
+}
+
+SolidSweep::Layer SolidSweep::on_level(const SolidLayer& layer) const {
+  const DepthPlane& d = layer.depth;
+  return {layer, d.b * y_ + d.c, d.eb * std::fabs(y_) + d.ec, true};
 }
 
 /// Sign of how much nearer a is at x, or 0 where doubles cannot tell. Then it is `sharp` when they
 /// can nearer to x than anybody tells: where the two cross there, it is known where.
 int SolidSweep::compare_at(const Layer& a, const Layer& b, double x, bool& sharp) const {
-  const double slope = a.slope - b.slope;
-  const double difference = (a.slope * x + a.constant) - (b.slope * x + b.constant);
+  const double slope = a.depth.a - b.depth.a;
+  const double difference = (a.depth.a * x + a.constant) - (b.depth.a * x + b.constant);
   const double error =
-      (a.slope_error + b.slope_error) * std::fabs(x) + (a.constant_error + b.constant_error);
+      (a.depth.ea + b.depth.ea) * std::fabs(x) + (a.constant_error + b.constant_error);
   sharp = error <= kCrossingError * std::fabs(slope);
   return (difference > error) - (difference < -error);
 }
@@ -155,7 +144,7 @@ int SolidSweep::compare(const Layer& a, const Layer& b) const {
   if (a.plane == b.plane) return 0;
   bool sharp = false;
   if (const int side = compare_at(a, b, low_, sharp); side != 0) return side;
-  if (sharp && a.slope != b.slope) return a.slope > b.slope ? 1 : -1;
+  if (sharp && a.depth.a != b.depth.a) return a.depth.a > b.depth.a ? 1 : -1;
   const int side = order_->compare(a.face, b.face, low_, y_);
   return side != 0 ? side : order_->compare(a.face, b.face, high_, y_);
 }
@@ -296,12 +285,12 @@ void SolidSweep::insert(Index face) {
 /// Up to where a layer that is before another at high_ stays so, whatever rounding does; high_
 /// where that is not sure.
 double SolidSweep::before_until(const Layer& near, const Layer& far) const {
-  const double slope = near.slope - far.slope;
+  const double slope = near.depth.a - far.depth.a;
   const double reach = std::max(reach_, std::fabs(low_));
   const double error =
-      (near.slope_error + far.slope_error) * reach + (near.constant_error + far.constant_error);
+      (near.depth.ea + far.depth.ea) * reach + (near.constant_error + far.constant_error);
   const double lead =
-      (near.slope * high_ + near.constant) - (far.slope * high_ + far.constant) - error;
+      (near.depth.a * high_ + near.constant) - (far.depth.a * high_ + far.constant) - error;
   if (!(lead > 0)) return high_;
   return slope < 0 ? high_ + 0.999 * lead / -slope : HUGE_VAL;
 }
@@ -398,9 +387,9 @@ void SolidSweep::span(const SpanPiece& over, std::vector<SpanPiece>& pieces,
 }
 
 void SolidSweep::record(const std::array<Index, 2>& crossing) {
-  const std::size_t first = record_->faces.size(), end = first + layers_.size();
-  record_->faces.resize(end);
-  for (std::size_t i = first; i < end; ++i) record_->faces[i] = layers_[i - first].face;
+  std::vector<SolidLayer>& layers = record_->layers;
+  const std::size_t first = layers.size(), end = first + layers_.size();
+  layers.insert(layers.end(), layers_.begin(), layers_.end());
   record_->parts.push_back(
       {crossing, solid_.face, first, std::min(first + solid_.decided, end), end});
 }

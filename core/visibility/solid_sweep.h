@@ -20,6 +20,14 @@
 
 namespace overstrike {
 
+/// A face over a span.
+struct SolidLayer {
+  Index face;
+  Index plane, operand;
+  int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
+  DepthPlane depth;
+};
+
 /// What decided in one span what is seen, in its parts from left to right.
 struct SpanRecord {
   struct Part {
@@ -27,13 +35,13 @@ struct SpanRecord {
     /// kNone: it begins with the span.
     std::array<Index, 2> crossing;
     Index seen;  ///< kNone: nothing
-    /// Of `faces`: those that decided, from near to far, up to `decided`, and what lies behind
+    /// Of `layers`: those that decided, from near to far, up to `decided`, and what lies behind
     /// them.
     std::size_t first, decided, end;
   };
   std::vector<Part> parts;
-  std::vector<Index> faces;
-  void clear() { parts.clear(), faces.clear(); }
+  std::vector<SolidLayer> layers;
+  void clear() { parts.clear(), layers.clear(); }
 };
 
 /// Goes over one level after the other. One a thread.
@@ -73,12 +81,9 @@ class SolidSweep {
             std::vector<SpanPiece>& cut_away);
 
  private:
-  /// An active face, and its depth on the level: slope x + constant, larger is nearer.
-  struct Layer {
-    Index face;
-    Index plane, operand;
-    int enters;  ///< 1: the operand is entered there along the line of sight, -1: left
-    double slope, constant, slope_error, constant_error;
+  /// An active face, and its depth on the level: depth.a x + constant, larger is nearer.
+  struct Layer : SolidLayer {
+    double constant, constant_error;
     bool fresh;  ///< it took the place of another, or met a neighbour where the last span ended,
                  ///< and may be out of order
     std::uint64_t replaced_at = 0;  ///< number of the settling in which it took another's place
@@ -104,6 +109,7 @@ class SolidSweep {
   void follow(Candidate& candidate, const SolidExpression* expression);
   void stop(Candidate& candidate);
   Layer layer_of(Index face) const;
+  Layer on_level(const SolidLayer& layer) const;
   void settle(double low, double high);
   void forget_last_span();
   void forget_seen();

@@ -34,25 +34,23 @@ bool SpanCertifier::certify(const SlackLine& from, const SlackLine& to, const Sp
 bool SpanCertifier::certify_part(const SpanRecord& record, const SpanRecord::Part& part,
                                  SureLevels& sure) {
   if (part.decided == part.first) return true;
-  const Index* const faces = record.faces.data();
-  DepthPlane near = order_.depth_of(faces[part.first]);
+  const SolidLayer* const layers = record.layers.data();
   for (std::size_t i = part.first + 1; i < part.end; ++i) {
-    const bool decided = i < part.decided;
-    const Index before = decided ? faces[i - 1] : faces[part.decided - 1];
-    const DepthPlane& far = order_.depth_of(faces[i]);
-    if (!stays_before(before, near, faces[i], far, sure)) return false;
-    if (decided) near = far;
+    const std::size_t before = std::min(i, part.decided) - 1;
+    if (!stays_before(layers[before], layers[i], sure)) return false;
   }
   return true;
 }
 
-bool SpanCertifier::stays_before(Index face, const DepthPlane& depth, Index other,
-                                 const DepthPlane& its, SureLevels& sure) {
-  if (canonical_.faces[face].plane == canonical_.faces[other].plane) return true;
-  const DepthDifference d(depth, its, reach_, levels_);
+bool SpanCertifier::stays_before(const SolidLayer& layer, const SolidLayer& other,
+                                 SureLevels& sure) {
+  if (layer.plane == other.plane) return true;
+  const DepthDifference d(layer.depth, other.depth, reach_, levels_);
   if (leads_at_once(d, from_, sure) && leads_at_once(d, to_, sure)) return true;
   const double until = sure.until;
-  if (!leads(d, from_, face, other, sure) || !leads(d, to_, face, other, sure)) return false;
+  if (!leads(d, from_, layer.face, other.face, sure) ||
+      !leads(d, to_, layer.face, other.face, sure))
+    return false;
   if (sure.until != until) from_.look(sure), to_.look(sure);
   return true;
 }

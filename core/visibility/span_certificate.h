@@ -15,9 +15,8 @@ namespace overstrike {
 /// One a thread.
 class SpanCertifier {
  public:
-  /// Of `canonical` are the faces. `reach`: bounds |x| where it is asked.
-  SpanCertifier(const Canonical& canonical, const LayerOrder& order, double reach)
-      : canonical_(canonical), order_(order), reach_(reach) {}
+  /// `reach`: bounds |x| where it is asked.
+  SpanCertifier(const LayerOrder& order, double reach) : order_(order), reach_(reach) {}
 
   /// Brings `sure.until` nearer to where, between the two lines, those that decided in the parts of
   /// the record surely stay in their order and before all that lies behind them. `from.slack`: also
@@ -44,15 +43,13 @@ class SpanCertifier {
     }
   };
   bool certify_part(const SpanRecord& record, const SpanRecord::Part& part, SureLevels& sure);
-  bool stays_before(Index face, const DepthPlane& depth, Index other, const DepthPlane& its,
-                    SureLevels& sure);
+  bool stays_before(const SolidLayer& layer, const SolidLayer& other, SureLevels& sure);
   static bool leads_at_once(const DepthDifference& d, const Border& at, const SureLevels& sure);
   bool leads(const DepthDifference& d, const Border& at, Index face, Index other,
              SureLevels& sure) const;
   bool parts_in_edge(const DepthDifference& d, const Border& at, Index face, Index other,
                      const SureLevels& sure) const;
 
-  const Canonical& canonical_;
   const LayerOrder& order_;
   double reach_;
   // Of the span in hand.
