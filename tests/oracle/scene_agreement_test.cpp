@@ -25,7 +25,8 @@ TEST(Agreement, EverySceneFileUnderThreeViews) {
   const auto folder = std::filesystem::path(OVERSTRIKE_SOURCE_DIR) / "scenes";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+    if (entry.path().extension() == ".yaml" || entry.path().extension() == ".csg")
+      files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   ASSERT_FALSE(files.empty());
   int skipped = 0;
