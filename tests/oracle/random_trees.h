@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/geometry/tessellate.h"
 #include "core/scene/scene.h"
 #include "tests/oracle/random.h"
 
@@ -11,7 +12,11 @@ namespace overstrike::oracle {
 
 class TreeMaker {
  public:
-  explicit TreeMaker(std::uint64_t seed) : random_(seed) {}
+  /// convex: bodies stand upright. all: half of them are not convex, as extrusions or as meshes,
+  /// and all are turned by quarters.
+  enum class Shapes { convex, all };
+  explicit TreeMaker(std::uint64_t seed, Shapes shapes = Shapes::convex)
+      : random_(seed), shapes_(shapes) {}
 
   Scene make() {
     Scene scene;
@@ -83,10 +88,33 @@ class TreeMaker {
     }
     body.placement.offset = {lattice(), lattice(), lattice()};
     body.density_factor = 0.25 * static_cast<double>(1 + below(4));
+    if (shapes_ == Shapes::all) change(body, height);
     return body;
   }
 
+  void change(Body& body, double height) {
+    const std::size_t kind = below(4);
+    if (kind < 2) {
+      Extrusion hollow{{{kind == 0 ? kAngle : kChannel}}, height};
+      body.shape = std::make_shared<Shape>(hollow);
+      if (below(2) == 0) {
+        Mesh mesh;
+        mesh.polyhedron = tessellate(*body.shape, 0, false);
+        mesh.polyhedron.plane_groups.clear();
+        body.shape = std::make_shared<Shape>(std::move(mesh));
+      }
+    }
+    for (std::size_t turns = below(4); turns > 0; --turns) {
+      const Mat3 m = body.placement.linear;
+      body.placement.linear = below(2) == 0 ? Mat3(m[1], -m[0], m[2]) : Mat3(m[0], m[2], -m[1]);
+    }
+  }
+
+  static inline const std::vector<Vec2> kAngle{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}};
+  static inline const std::vector<Vec2> kChannel{{0, 0}, {3, 0}, {3, 3}, {2, 3},
+                                                 {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   Random random_;
+  Shapes shapes_;
 };
 
 }  // namespace overstrike::oracle

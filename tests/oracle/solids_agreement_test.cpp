@@ -14,16 +14,20 @@ constexpr int kTrees = 500;
 constexpr int kTrees = 60;
 #endif
 
-TEST(Agreement, RandomTreesOfCoincidentOperands) {
+void judge_trees(TreeMaker::Shapes shapes) {
   int skipped = 0;
   for (int n = 0; n < kTrees; ++n) {
-    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1).make_lit();
+    const Scene scene = TreeMaker(static_cast<std::uint64_t>(n) + 1, shapes).make_lit();
     Trial trial(scene, Grid{32, 40}, 2, "tree " + std::to_string(n));
     trial.judge(kPoints, kEnds);
     skipped += trial.skipped();
   }
   EXPECT_LE(skipped, kMaxSkipped * kPoints * kTrees);
 }
+
+TEST(Agreement, RandomTreesOfCoincidentOperands) { judge_trees(TreeMaker::Shapes::convex); }
+
+TEST(Agreement, RandomTreesOfOperandsThatAreNotConvex) { judge_trees(TreeMaker::Shapes::all); }
 
 }  // namespace
 }  // namespace overstrike::oracle
