@@ -48,7 +48,7 @@ class BodyAdder {
   void add_backgrounds() {
     factor_ = density_of(Vec3(kBackgroundGrey));
     for (const Background& background : nodes_.backgrounds) {
-      if (shapes_[background.node].content != Content::filled) continue;
+      if (!shapes_[background.node].filled) continue;
       Solid& solid = add_solid(background.node);
       solid.background = true;
       solid.translucent = kBackgroundFactor;
@@ -56,9 +56,7 @@ class BodyAdder {
   }
 
  private:
-  bool is_filled(Index i) const {
-    return nodes_.states[i].drawn && shapes_[i].content == Content::filled;
-  }
+  bool is_filled(Index i) const { return nodes_.states[i].drawn && shapes_[i].filled; }
 
   void add_loose(Index i, bool structure) {
     if (nodes_.states[i].dimension == 2) {

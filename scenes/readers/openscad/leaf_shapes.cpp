@@ -30,15 +30,37 @@ std::vector<Part> LeafShapes::solid(const Word& word, const Arguments& arguments
     default:
       break;
   }
-  const std::filesystem::path path = folder_ / arguments.text("file", "");
+  const std::optional<std::filesystem::path> path = file_of(word, arguments);
+  if (!path) return {};
   std::vector<Part> parts;
   try {
-    if (word.kind == WordKind::surface) return surface(arguments, path);
-    parts = {imported_mesh(path)};
+    if (word.kind == WordKind::surface) return surface(arguments, *path);
+    parts = {imported_mesh(*path)};
   } catch (const InputError& error) {
-    reporter_.append(error.diagnostics());
+    refuse(word, arguments, error);
   }
   return parts;
+}
+
+std::optional<std::filesystem::path> LeafShapes::file_of(const Word& word,
+                                                         const Arguments& arguments) {
+  const std::string name = arguments.text("file", "");
+  if (!name.empty()) return folder_ / name;
+  arguments.error(in_quotes(word.name) + " names no file", "file = \"...\"");
+  return {};
+}
+
+void LeafShapes::refuse(const Word& word, const Arguments& arguments, const InputError& error) {
+  for (const Diagnostic& d : error.diagnostics()) {
+    if (d.severity != Severity::error) {
+      reporter_.append({d});
+      continue;
+    }
+    std::string place = d.place.file;
+    if (d.place.line > 0) place += ':' + std::to_string(d.place.line);
+    if (d.place.line > 0 && d.place.column > 0) place += ':' + std::to_string(d.place.column);
+    arguments.error(in_quotes(word.name) + " cannot be drawn: " + place + ": " + d.message, d.hint);
+  }
 }
 
 Part LeafShapes::imported_mesh(const std::filesystem::path& path) {
@@ -52,7 +74,7 @@ Part LeafShapes::imported_mesh(const std::filesystem::path& path) {
   return {known->second, {}, 0};
 }
 
-Region LeafShapes::imported_region(const Arguments& arguments) {
+Region LeafShapes::imported_region(const Word& word, const Arguments& arguments) {
   const std::filesystem::path path = folder_ / arguments.text("file", "");
   if (path.extension() != ".dxf" && path.extension() != ".DXF") {
     arguments.error("'import' of " + path.extension().string() + " cannot be drawn",
@@ -66,7 +88,7 @@ Region LeafShapes::imported_region(const Arguments& arguments) {
                     {arguments.text("layer", ""), Vec2(origin), arguments.number("scale", 1)},
                     arguments);
   } catch (const InputError& error) {
-    reporter_.append(error.diagnostics());
+    refuse(word, arguments, error);
     return {};
   }
 }
@@ -92,7 +114,7 @@ Flat LeafShapes::flat(const NodeState& state, const Arguments& arguments) {
       regions = text_outlines(arguments);
       break;
     case WordKind::import:
-      regions[0] = imported_region(arguments);
+      regions[0] = imported_region(*state.word, arguments);
       break;
     default:
       break;

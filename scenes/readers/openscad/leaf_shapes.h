@@ -2,6 +2,7 @@
 // The shapes that nodes are by themselves, or name a file of.
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,11 @@ class LeafShapes {
 
  private:
   Part imported_mesh(const std::filesystem::path& path);
-  Region imported_region(const Arguments& arguments);
+  Region imported_region(const Word& word, const Arguments& arguments);
+  /// Nothing, and an error, where none is named.
+  std::optional<std::filesystem::path> file_of(const Word& word, const Arguments& arguments);
+  /// What is wrong with a file is told at the node that names it, with the place in the file.
+  void refuse(const Word& word, const Arguments& arguments, const InputError& error);
 
   const std::filesystem::path& folder_;
   Reporter& reporter_;

@@ -12,6 +12,9 @@ namespace {
 constexpr double kMostSlices = 4096;
 /// No slice turns by more than this (degrees), or its sides would cross.
 constexpr double kMostTwist = 120;
+/// Of their mean: diagonals that differ by no more are equally long to OpenSCAD 2021.01, seen from
+/// above. Its triangles tell this to one part in a hundred.
+constexpr double kEqualDiagonals = 1e-5;
 
 struct Extrude {
   double height;
@@ -103,32 +106,46 @@ class SliceBuilder {
     const bool tip = slice == slices_ - 1 && extrude_.scale == Vec2(0.0);
     for (const Loop2& loop : region_.loops) {
       const Index n = static_cast<Index>(loop.size());
+      const bool hole = !is_counter_clockwise(loop);
       for (Index i = 0; i < n; ++i) {
         const Index a = first + i, b = first + (i + 1) % n;
         if (tip) {
           p_.add_face({a, b, corners_ * static_cast<Index>(slices_)});
         } else {
-          add_wall(a, b);
+          add_wall(a, b, hole, slice);
         }
       }
       first += n;
     }
   }
 
-  /// Between corners a and b and those above; flat when nothing turns them against each other. Else
-  /// it is split along the shorter diagonal, as OpenSCAD 2021.01 does.
-  void add_wall(Index a, Index b) {
+  /// Between corners a and b and those above; flat when nothing turns them against each other.
+  void add_wall(Index a, Index b, bool hole, int slice) {
     const Index c = b + corners_, d = a + corners_;
     if (extrude_.twist == 0 && extrude_.scale.x == extrude_.scale.y)
       return p_.add_face({a, b, c, d});
-    if (glm::distance(p_.vertices[a], p_.vertices[c]) <
-        glm::distance(p_.vertices[b], p_.vertices[d])) {
+    const bool edge_above = slice == slices_ - 1 && extrude_.scale.x * extrude_.scale.y == 0;
+    if (splits_from_a(a, b, hole) != edge_above) {
       p_.add_face({a, b, c});
       p_.add_face({a, c, d});
     } else {
       p_.add_face({a, b, d});
       p_.add_face({b, c, d});
     }
+  }
+
+  /// Along the shorter diagonal, as OpenSCAD 2021.01 does, and where both are equally long, along
+  /// the one that the twist goes with, round a hole against it. (Below an edge to which the top is
+  /// scaled it takes the other one.)
+  bool splits_from_a(Index a, Index b, bool hole) const {
+    const double ac = distance_from_above(a, b + corners_);
+    const double bd = distance_from_above(b, a + corners_);
+    if (std::fabs(ac - bd) <= kEqualDiagonals * (ac + bd) / 2) return (extrude_.twist > 0) != hole;
+    return ac < bd;
+  }
+
+  double distance_from_above(Index a, Index b) const {
+    return glm::distance(Vec2(p_.vertices[a]), Vec2(p_.vertices[b]));
   }
 
   Extrude extrude_;

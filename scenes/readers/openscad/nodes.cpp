@@ -139,6 +139,7 @@ class Resolver {
         const int wanted = inner_dimension(state(s.parent));
         if (s.drawn && s.dimension != 0 && s.dimension != wanted) {
           s.drawn = false;
+          s.misfit = true;
           reporter_.warning(tree_.nodes[i].at,
                             std::string(s.dimension == 2 ? "a flat shape" : "a solid") + " among " +
                                 (wanted == 2 ? "flat shapes" : "solids") + " is left out");
@@ -204,9 +205,13 @@ class Resolver {
 
 }  // namespace
 
-bool unites(const Word& word) {
-  return word.kind != WordKind::subtract && word.kind != WordKind::intersect;
+SetOperation operation_of(const Word& word) {
+  return word.kind == WordKind::subtract    ? SetOperation::subtract
+         : word.kind == WordKind::intersect ? SetOperation::intersect
+                                            : SetOperation::unite;
 }
+
+bool unites(const Word& word) { return operation_of(word) == SetOperation::unite; }
 
 Nodes resolve(const Tree& tree, Reporter& reporter) { return Resolver(tree, reporter).resolve(); }
 

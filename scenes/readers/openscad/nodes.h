@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/scene/set_operation.h"
 #include "scenes/readers/openscad/arguments.h"
 #include "scenes/readers/openscad/tree.h"
 #include "scenes/readers/openscad/words.h"
@@ -17,6 +18,8 @@ struct NodeState {
   Index parent = kNoNode;
   int dimension = 0;  ///< 2, 3, or 0: nothing in it
   bool drawn = false;
+  /// Left out for its dimension: to the node above an empty operand.
+  bool misfit = false;
   bool in_consumer = false;  ///< a shape is made of it
   /// Nothing but unions stands above it: it needs no Boolean.
   bool loose = false;
@@ -47,7 +50,8 @@ Nodes resolve(const Tree& tree, Reporter& reporter);
 /// those that are solids. To those above them and below they are not drawn: each stands for itself.
 Nodes resolve_backgrounds(const Tree& tree, const Nodes& nodes, Reporter& reporter);
 
-/// True where the node's children are put together by a union.
+/// By which the node's children are put together: where no other, a union.
+SetOperation operation_of(const Word& word);
 bool unites(const Word& word);
 
 }  // namespace overstrike::openscad

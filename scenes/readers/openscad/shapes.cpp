@@ -67,72 +67,61 @@ void ShapeBuilder::build_leaf(Index i) {
   NodeShape& shape = shapes_[i];
   if (state(i).dimension == 2) {
     shape.flat = leaves_.flat(state(i), arguments);
-    shape.content = shape.flat.region.loops.empty() ? Content::empty : Content::filled;
+    shape.filled = !shape.flat.region.loops.empty();
   } else {
     shape.parts = leaves_.solid(*state(i).word, arguments);
-    shape.content = shape.parts.empty() ? Content::empty : Content::filled;
+    shape.filled = !shape.parts.empty();
   }
   for (Part& part : shape.parts) part.shape = pool_.shared(std::move(part.shape));
 }
 
-std::vector<Index> ShapeBuilder::drawn_children(Index i) const {
+/// The children but those that OpenSCAD has no operand for: what is marked by % or *.
+std::vector<Index> ShapeBuilder::operands(Index i) const {
   std::vector<Index> children;
   for (Index c = i + 1; c < tree_.nodes[i].end; c = tree_.nodes[c].end)
-    if (state(c).drawn) children.push_back(c);
+    if (state(c).drawn || state(c).misfit) children.push_back(c);
   return children;
 }
 
 void ShapeBuilder::build_structure(Index i) {
-  const WordKind kind = state(i).word->kind;
-  Content content = Content::none;
-  bool begun = false;
-  for (const Index c : drawn_children(i)) {
-    const Content of_child = shapes_[c].content;
-    if (of_child == Content::none) continue;
-    const bool first = !begun;
-    begun = true;
-    if (kind == WordKind::intersect) {
-      content = first || of_child == Content::empty ? of_child : content;
-      if (content == Content::empty) break;
-    } else if (kind == WordKind::subtract) {
-      if (first) content = of_child;
-    } else if (content != Content::filled) {
-      content = of_child;
-    }
-    if (of_child == Content::filled) ++shapes_[i].filled_children;
-  }
-  shapes_[i].content = content;
-  if (state(i).dimension != 2 || content != Content::filled) return;
+  NodeShape& shape = shapes_[i];
+  const SetOperation operation = operation_of(*state(i).word);
+  const std::vector<Index> children = operands(i);
+  for (const Index c : children)
+    if (shapes_[c].filled) ++shape.filled_children;
+  shape.filled = shape.filled_children > 0;
+  if (operation == SetOperation::subtract)
+    shape.filled = shape.filled && shapes_[children.front()].filled;
+  if (operation == SetOperation::intersect)
+    shape.filled = shape.filled && shape.filled_children == children.size();
+  if (state(i).dimension != 2 || !shape.filled) return;
   const bool has_leaves_drawn = state(i).loose && unites(*state(i).word);
   if (has_leaves_drawn) return;
-  const SetOperation operation = kind == WordKind::subtract    ? SetOperation::subtract
-                                 : kind == WordKind::intersect ? SetOperation::intersect
-                                                               : SetOperation::unite;
-  shapes_[i].flat = combined(i, operation);
-  if (shapes_[i].flat.region.loops.empty()) shapes_[i].content = Content::empty;
+  shape.flat = combined(i, operation);
+  shape.filled = !shape.flat.region.loops.empty();
 }
 
 Flat ShapeBuilder::united_children(Index i) { return combined(i, SetOperation::unite); }
 
 Flat ShapeBuilder::combined(Index i, SetOperation operation) {
-  std::vector<Region> operands;
+  std::vector<Region> regions;
   double precision = 0;
-  for (const Index c : drawn_children(i)) {
+  for (const Index c : operands(i)) {
     Flat& flat = shapes_[c].flat;
-    if (shapes_[c].content != Content::filled) continue;
+    if (!shapes_[c].filled) continue;
     precision = std::fmax(precision, flat.precision);
-    operands.push_back(std::move(flat.region));
+    regions.push_back(std::move(flat.region));
   }
-  if (operands.empty()) return {};
-  if (operands.size() == 1) return {std::move(operands[0]), precision};
-  return {combine(operation, operands), precision};
+  if (regions.empty()) return {};
+  if (regions.size() == 1) return {std::move(regions[0]), precision};
+  return {combine(operation, regions), precision};
 }
 
 /// Of the solids between two nodes below node i: those of leaves, in the frame of node i.
 std::vector<Part> ShapeBuilder::parts_below(Index i, Index first, Index end) {
   std::vector<Part> all;
   for (Index c = first; c < end;) {
-    const bool skip = !state(c).drawn || shapes_[c].content != Content::filled;
+    const bool skip = !state(c).drawn || !shapes_[c].filled;
     const Word* const word = state(c).word;
     if (skip || word->role != WordRole::structure) {
       if (!skip) append_placed(shapes_[c].parts, state(c).place, all);
@@ -155,7 +144,7 @@ void ShapeBuilder::hull_of(Index i) {
   NodeShape& shape = shapes_[i];
   if (state(i).dimension == 2) {
     std::vector<Vec2> points;
-    for (const Index c : drawn_children(i)) {
+    for (const Index c : operands(i)) {
       shape.flat.precision = std::fmax(shape.flat.precision, shapes_[c].flat.precision);
       for (const auto& loop : shapes_[c].flat.region.loops)
         points.insert(points.end(), loop.begin(), loop.end());
@@ -177,8 +166,8 @@ void ShapeBuilder::hull_of(Index i) {
 void ShapeBuilder::minkowski_of(Index i) {
   if (state(i).dimension == 2) return flat_minkowski_of(i);
   std::vector<Part> sum;
-  for (const Index c : drawn_children(i)) {
-    if (shapes_[c].content == Content::none) continue;
+  for (const Index c : operands(i)) {
+    if (!shapes_[c].filled) continue;
     const std::vector<Part> parts = parts_below(i, c, tree_.nodes[c].end);
     for (const Part& part : parts)
       if (!is_convex(part)) return refuse_not_convex(i);
@@ -195,11 +184,17 @@ void ShapeBuilder::minkowski_of(Index i) {
   shapes_[i].parts = std::move(sum);
 }
 
+/// To OpenSCAD 2021.01 nothing but what is filled is an operand of a sum in space; in the plane the
+/// sum is empty where the first is, or all others are.
 void ShapeBuilder::flat_minkowski_of(Index i) {
   std::vector<Vec2> sum;
   double precision = 0;
-  for (const Index c : drawn_children(i)) {
-    if (shapes_[c].content != Content::filled) continue;
+  const std::vector<Index> children = operands(i);
+  const auto filled =
+      std::count_if(children.begin(), children.end(), [&](Index c) { return shapes_[c].filled; });
+  if (!shapes_[children.front()].filled || (children.size() > 1 && filled == 1)) return;
+  for (const Index c : children) {
+    if (!shapes_[c].filled) continue;
     const Flat& flat = shapes_[c].flat;
     if (!is_convex(flat.region)) return refuse_not_convex(i);
     precision += flat.precision;
@@ -250,7 +245,7 @@ void ShapeBuilder::build_consumer(Index i) {
   const Arguments arguments(tree_, i, *state(i).word, reporter_);
   NodeShape& shape = shapes_[i];
   bool any = false;
-  for (const Index c : drawn_children(i)) any = any || shapes_[c].content != Content::none;
+  for (const Index c : operands(i)) any = any || shapes_[c].filled;
   if (!any) return;
   switch (state(i).word->kind) {
     case WordKind::linear_extrude:
@@ -279,9 +274,7 @@ void ShapeBuilder::build_consumer(Index i) {
     default:
       break;
   }
-  const bool empty =
-      state(i).dimension == 2 ? shape.flat.region.loops.empty() : shape.parts.empty();
-  shape.content = empty ? Content::empty : Content::filled;
+  shape.filled = state(i).dimension == 2 ? !shape.flat.region.loops.empty() : !shape.parts.empty();
   for (Part& part : shape.parts) part.shape = pool_.shared(std::move(part.shape));
 }
 

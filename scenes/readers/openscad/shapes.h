@@ -11,12 +11,8 @@
 
 namespace overstrike::openscad {
 
-/// OpenSCAD tells "nothing" from "empty": a difference begins with its first child that is
-/// something, and is empty where that one is.
-enum class Content : std::uint8_t { none, empty, filled };
-
 struct NodeShape {
-  Content content = Content::none;
+  bool filled = false;  ///< there may be something in it
   Index filled_children = 0;
   std::vector<Part> parts;  ///< of solids that are leaves or made of their children's
   Flat flat;                ///< of flat nodes; of a loose union nothing, its leaves have it
@@ -44,7 +40,7 @@ class ShapeBuilder {
   void refuse_not_convex(Index i);
   void resize(Index i, const Arguments& arguments);
   std::vector<Part> parts_below(Index i, Index first, Index end);
-  std::vector<Index> drawn_children(Index i) const;
+  std::vector<Index> operands(Index i) const;
   Flat combined(Index i, SetOperation operation);
   Flat united_children(Index i);
   const NodeState& state(Index i) const { return nodes_.states[i]; }

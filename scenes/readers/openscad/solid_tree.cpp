@@ -12,8 +12,7 @@ class TreeMaker {
   std::vector<SolidNode> make(Index root) {
     for (Index i = root; i < tree_.nodes[root].end;) {
       close_before(i);
-      const bool filled =
-          i == root || (nodes_.states[i].drawn && shapes_[i].content == Content::filled);
+      const bool filled = i == root || (nodes_.states[i].drawn && shapes_[i].filled);
       const bool has_parts = !shapes_[i].parts.empty();
       if (i == root && has_parts) open(i);
       if (filled && !has_parts &&
@@ -32,11 +31,7 @@ class TreeMaker {
  private:
   void open(Index i) {
     open_.push_back({tree_.nodes[i].end, static_cast<Index>(made_.size())});
-    const WordKind kind = nodes_.states[i].word->kind;
-    made_.push_back({kind == WordKind::subtract    ? SetOperation::subtract
-                     : kind == WordKind::intersect ? SetOperation::intersect
-                                                   : SetOperation::unite,
-                     0, 0});
+    made_.push_back({operation_of(*nodes_.states[i].word), 0, 0});
   }
 
   void close_before(Index i) {

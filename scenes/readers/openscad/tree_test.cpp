@@ -116,8 +116,22 @@ TEST(Tree, SaysWhichWordIsWrong) {
             "m.csg:1:13: error: a matrix's row must be 4 numbers, found 3");
   EXPECT_EQ(error_of("polyhedron(points = [[0, 0, 0]], faces = [[0, 1, 2]]);"),
             "m.csg:1:47: error: point 1 does not exist (there are 1, numbered from 0)");
-  EXPECT_EQ(error_of("import(file = \"none.stl\");"),
-            "nowhere/none.stl: error: No such file or directory");
+}
+
+TEST(Tree, SaysWhichNodeNamesAFileThatCannotBeRead) {
+  EXPECT_EQ(error_of("cube();\n  import(file = \"none.stl\");"),
+            "m.csg:2:3: error: 'import' cannot be drawn: nowhere/none.stl: No such file or "
+            "directory");
+  EXPECT_EQ(error_of("linear_extrude() { import(file = \"none.dxf\"); }"),
+            "m.csg:1:20: error: 'import' cannot be drawn: nowhere/none.dxf: No such file or "
+            "directory");
+  EXPECT_EQ(error_of("surface(file = \"none.dat\");"),
+            "m.csg:1:1: error: 'surface' cannot be drawn: nowhere/none.dat: No such file or "
+            "directory");
+  EXPECT_EQ(error_of("cube(); import();"),
+            "m.csg:1:9: error: 'import' names no file (file = \"...\")");
+  EXPECT_EQ(error_of("surface(file = \"\");"),
+            "m.csg:1:1: error: 'surface' names no file (file = \"...\")");
 }
 
 std::string nested(const std::string& before, const std::string& inner, const std::string& after) {
