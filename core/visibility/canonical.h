@@ -97,8 +97,8 @@ struct Canonical {
   std::vector<Index> loop_ends;      ///< in corners
   std::vector<CanonicalFace> faces;
   std::vector<Plane> planes;
-  std::vector<WingedEdge> edges;
-  std::vector<Twin> twins;  ///< corners and faces counted from their body's first ones
+  std::vector<WingedEdge> edges;  ///< a body's by their lower and then their higher vertex
+  std::vector<Twin> twins;        ///< corners and faces counted from their body's first ones
   std::vector<CanonicalBody> bodies;
   std::vector<Membership> memberships;  ///< per body; empty where there are no solids
   std::vector<std::shared_ptr<const CanonicalSolid>> solids;

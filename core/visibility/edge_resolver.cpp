@@ -45,7 +45,7 @@ std::vector<VisiblePart> EdgeResolver::visible(const SightLine& line) {
     for (const Interval& part : common(line.within, {drawn.over})) {
       const Interval whole{std::max(part.first, page.first), std::min(part.second, page.second)};
       for (const Interval& piece : without(whole, hidden, sliver))
-        result.push_back({piece, drawn.kind});
+        result.push_back({piece, drawn.kind, drawn.body});
     }
   return result;
 }

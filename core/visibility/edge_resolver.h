@@ -12,6 +12,7 @@ namespace overstrike {
 struct VisiblePart {
   Interval over;
   StrokeKind kind;
+  Index body;  ///< whose stroke it is
 };
 
 /// Resolves lines one after the other; one for each thread.

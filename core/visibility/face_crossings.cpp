@@ -34,7 +34,7 @@ class Crossings {
     if (ours_.size() < 2) return;
     pierce(g, p, direction, theirs_);
     solids_ = {solid_of(f), solid_of(g)};
-    meet(std::min(f, g), {p, q}, curved(f) || curved(g));
+    meet(f, {p, q}, curved(f) || curved(g));
   }
 
   void cross_ground(Index f) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/visibility/shared_edge.h"
+#include "core/visibility/tie.h"
+
 namespace overstrike {
 namespace {
 
@@ -10,7 +13,7 @@ const Interval kEverywhere{-1e300, 1e300};
 
 /// What is seen of a solid beside the line, on one side.
 struct Beside {
-  Index plane = kNone;  ///< in which the line lies; kNone: hidden, or farther
+  Index face = kNone;  ///< in whose plane the line lies; kNone: hidden, or farther
   bool hidden = false;
 };
 
@@ -58,7 +61,7 @@ class Surface {
   Beside at(int side, double t) const {
     for (const SolidSight::Part& part : parts_)
       if (part.side == side && part.over.first <= t && t < part.over.second)
-        return part.hides ? Beside{kNone, true} : Beside{canonical_.faces[part.face].plane, false};
+        return part.hides ? Beside{kNone, true} : Beside{part.face, false};
     return {};
   }
 
@@ -66,28 +69,56 @@ class Surface {
   std::vector<SolidSight::Part> parts_;
 };
 
-std::optional<StrokeKind> kind_of(const SightLine& line, const Beside& right, const Beside& left) {
-  if (right.plane == left.plane) return std::nullopt;
-  if (right.plane != kNone && left.plane != kNone) {
-    const bool facets = line.lies_in(right.plane) && line.lies_in(left.plane);
-    if (line.smooth && facets) return std::nullopt;
-    return line.smooth ? StrokeKind::intersection : line.kind;
+/// What is drawn at one place of a line, and whose it is.
+struct Edge {
+  StrokeKind kind;
+  Index body;
+};
+
+/// Where the surface bends. Between two planes in which an operand that is seen has an edge it is
+/// as that edge, whatever else runs along it: the line may be where another operand meets that one,
+/// and be no edge of the solid. Else it is an edge of one of the two if the line is, or they
+/// intersect.
+std::optional<Edge> bend_of(const Canonical& c, const SightLine& line, Index right, Index left) {
+  const Index one = c.faces[right].body, other = c.faces[left].body;
+  const Index first = wins_tie(c, right, left) ? one : other;
+  const bool cut = c.faces[right].cut || c.faces[left].cut;
+  if (const WingedEdge* edge = shared_edge(c, right, left)) {
+    if (!edge->crease) return std::nullopt;
+    return Edge{cut ? StrokeKind::cut_outline : StrokeKind::crease, first};
   }
-  if (line.smooth && (right.hidden || left.hidden)) return std::nullopt;
-  return line.kind == StrokeKind::cut_outline ? line.kind : StrokeKind::contour;
+  const bool facets = line.lies_in(c.faces[right].plane) && line.lies_in(c.faces[left].plane);
+  if (line.smooth && facets) return std::nullopt;
+  if (!line.smooth && (line.body == one || line.body == other)) return Edge{line.kind, line.body};
+  return Edge{cut ? StrokeKind::cut_outline : StrokeKind::intersection, first};
 }
 
-std::vector<SurfacePart> edges_of(const Surface& surface, const SightLine& line, double sliver) {
+std::optional<Edge> edge_at(const Canonical& c, const SightLine& line, const Beside& right,
+                            const Beside& left) {
+  if (right.face != kNone && left.face != kNone) {
+    if (c.faces[right.face].plane == c.faces[left.face].plane) return std::nullopt;
+    return bend_of(c, line, right.face, left.face);
+  }
+  if (right.face == left.face) return std::nullopt;
+  if (line.smooth && (right.hidden || left.hidden)) return std::nullopt;
+  const CanonicalFace& seen = c.faces[right.face != kNone ? right.face : left.face];
+  const bool cut = line.kind == StrokeKind::cut_outline || seen.cut;
+  return Edge{cut ? StrokeKind::cut_outline : StrokeKind::contour, seen.body};
+}
+
+std::vector<SurfacePart> edges_of(const Canonical& canonical, const Surface& surface,
+                                  const SightLine& line, double sliver) {
   std::vector<SurfacePart> result;
   surface.along(sliver, [&](const Interval& over, const Beside& right, const Beside& left) {
-    const std::optional<StrokeKind> kind = kind_of(line, right, left);
-    if (!kind) return;
-    const bool goes_on =
-        !result.empty() && result.back().kind == *kind && result.back().over.second == over.first;
+    const std::optional<Edge> edge = edge_at(canonical, line, right, left);
+    if (!edge) return;
+    const bool goes_on = !result.empty() && result.back().kind == edge->kind &&
+                         result.back().body == edge->body &&
+                         result.back().over.second == over.first;
     if (goes_on)
       result.back().over.second = over.second;
     else
-      result.push_back({over, *kind});
+      result.push_back({over, edge->kind, edge->body});
   });
   return result;
 }
@@ -98,12 +129,13 @@ std::vector<SurfacePart> parts_on_surfaces(const Canonical& canonical, const Sig
                                            const std::vector<SolidSight::Part>& shown,
                                            double sliver) {
   const auto [one, other] = line.solids;
-  if (one != kNone && one == other) return edges_of({canonical, shown, one}, line, sliver);
+  if (one != kNone && one == other)
+    return edges_of(canonical, {canonical, shown, one}, line, sliver);
   Intervals there{kEverywhere};
   for (const Index solid : line.solids)
     if (solid != kNone) there = common(there, Surface(canonical, shown, solid).there(line));
   std::vector<SurfacePart> result;
-  for (const Interval& over : there) result.push_back({over, line.kind});
+  for (const Interval& over : there) result.push_back({over, line.kind, line.body});
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "core/visibility/candidate_lines.h"
@@ -24,17 +25,17 @@ std::vector<SightLine> candidates(const ProjectedScene& scene, const FaceIndex& 
 }
 
 /// Per body its place in an order that goes by what bodies are, not by their numbers: the darker
-/// first, then the one with the lexicographically smaller vertices.
+/// first, then the one with the lexicographically smaller vertices, then with the smaller pen.
 std::vector<Index> ranks_of_bodies(const Canonical& c) {
-  using Key = std::pair<double, std::vector<std::array<double, 3>>>;
+  using Key = std::tuple<double, std::vector<std::array<double, 3>>, int>;
   std::vector<std::pair<Key, Index>> order;
   for (Index b = 0; b < c.bodies.size(); ++b) {
     const CanonicalBody& body = c.bodies[b];
-    Key key{-body.density_factor, {}};
+    std::vector<std::array<double, 3>> vertices;
     for (Index v = body.first_vertex; v < body.end_vertex; ++v)
-      key.second.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
-    std::sort(key.second.begin(), key.second.end());
-    order.emplace_back(std::move(key), b);
+      vertices.push_back({c.vertices[v].x, c.vertices[v].y, c.vertices[v].z});
+    std::sort(vertices.begin(), vertices.end());
+    order.emplace_back(Key{-body.density_factor, std::move(vertices), body.pen}, b);
   }
   std::sort(order.begin(), order.end());
   std::vector<Index> ranks(c.bodies.size());
@@ -48,15 +49,19 @@ std::vector<LinePiece> visible_pieces(const ProjectedScene& scene, const FaceInd
   EdgeResolver resolver(scene, index);
   const Vec2 page(scene.view.grid.columns, scene.view.grid.rows);
   const std::vector<Index> ranks = ranks_of_bodies(scene.canonical);
+  const std::vector<char> curved = curved_bodies(scene.canonical);
   std::vector<LinePiece> pieces;
   for (const SightLine& line : lines) {
-    const Index rank = line.body < ranks.size() ? ranks[line.body] : kNone;
     const double error = line.a.grid.error + line.b.grid.error;
-    for (const auto& [part, kind] : resolver.visible(line))
-      if (wanted(kind, options))
-        pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
-                          glm::clamp(line.at(part.second), Vec2(0), page), error, kind, line.body,
-                          line.pen, line.curved, rank});
+    for (const auto& [part, kind, body] : resolver.visible(line)) {
+      if (!wanted(kind, options)) continue;
+      const bool of_line = kind == line.kind && body == line.body;
+      pieces.push_back({glm::clamp(line.at(part.first), Vec2(0), page),
+                        glm::clamp(line.at(part.second), Vec2(0), page), error, kind, body,
+                        of_line ? line.pen : scene.canonical.bodies[body].pen,
+                        of_line ? line.curved : curved[body] != 0,
+                        body < ranks.size() ? ranks[body] : kNone});
+    }
   }
   return pieces;
 }

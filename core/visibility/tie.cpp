@@ -46,7 +46,9 @@ bool precedes(const Canonical& c, Index f, Index g) {
   const Point least_a = least_vertex(c, c.faces[f]), least_b = least_vertex(c, c.faces[g]);
   if (least_a != least_b) return least_a < least_b;
   const auto va = sorted_vertices(c, c.faces[f]), vb = sorted_vertices(c, c.faces[g]);
-  return va != vb ? va < vb : f < g;
+  if (va != vb) return va < vb;
+  const int pen_a = c.bodies[c.faces[f].body].pen, pen_b = c.bodies[c.faces[g].body].pen;
+  return pen_a != pen_b ? pen_a < pen_b : f < g;
 }
 
 }  // namespace

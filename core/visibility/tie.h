@@ -12,7 +12,7 @@ namespace overstrike {
 /// True when face f is seen before g: a cut face before others, then the face of the body with the
 /// greater density factor, which is the darker one wherever both are flat (they share a normal, so
 /// light and shadow); then a flat body's before a smooth one's; then the one with the
-/// lexicographically smaller plane, or else vertices, or else number.
+/// lexicographically smaller plane, or else vertices, or else pen, or else number.
 bool wins_tie(const Canonical& canonical, Index f, Index g);
 
 /// The first of many faces by wins_tie(), asked for again and again where mostly the same ones are

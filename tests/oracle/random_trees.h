@@ -30,7 +30,13 @@ class TreeMaker {
     return scene;
   }
 
-  /// The same, often in light, on a ground, and beside a body that stands for itself.
+  /// Of smooth bodies that stand and lie: facets' edges lie in the planes of others' bases.
+  Scene make_round() {
+    round_ = true;
+    return make();
+  }
+
+  /// The same as make(), often in light, on a ground, and beside a body that stands for itself.
   Scene make_lit() {
     Scene scene = make();
     if (below(3) != 0) light(scene);
@@ -69,7 +75,29 @@ class TreeMaker {
     solid.nodes[at].end = static_cast<Index>(solid.nodes.size());
   }
 
+  Body round_body() {
+    Body body;
+    const double height = 1 + static_cast<double>(below(3));
+    const int sides = 8 + 4 * static_cast<int>(below(2));
+    switch (below(3)) {
+      case 0:
+        body.shape = std::make_shared<Shape>(Frustum{1, 1, height, sides});
+        break;
+      case 1:
+        body.shape = std::make_shared<Shape>(Frustum{2, 0, height, sides});
+        break;
+      default:
+        body.shape = std::make_shared<Shape>(Ellipsoid{Vec3(1.5), sides, sides / 2});
+        break;
+    }
+    body.shading = Shading::smooth;
+    if (below(2) == 0) body.placement.linear = Mat3(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, -1, 0));
+    body.placement.offset = {lattice(), lattice(), lattice()};
+    return body;
+  }
+
   Body body() {
+    if (round_) return round_body();
     Body body;
     const double height = 1 + static_cast<double>(below(3));
     switch (below(4)) {
@@ -115,6 +143,7 @@ class TreeMaker {
                                                  {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   Random random_;
   Shapes shapes_;
+  bool round_ = false;
 };
 
 }  // namespace overstrike::oracle

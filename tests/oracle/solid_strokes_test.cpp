@@ -1,10 +1,13 @@
-// The law: strokes of Boolean solids run where what is seen changes its plane, and nowhere else.
+// The law: strokes of Boolean solids run where what is seen changes its plane, and nowhere else;
+// nor where it goes on to the next facet of a curved surface.
 // Runs and strokes come from two resolvers; what lies beside a stroke the oracle says.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "core/drawing.h"
+#include "core/visibility/projected_scene.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/random_trees.h"
 
@@ -28,6 +31,7 @@ struct Picture {
     view = make_view(scene, grid);
     std::vector<Diagnostic> warnings;
     canonical = std::make_shared<const Canonical>(canonicalize(scene, view, 0.05, warnings));
+    projected = std::make_unique<const ProjectedScene>(*canonical, view);
     DrawOptions options;
     options.threads = 1, options.tolerance = kTolerance;
     Drawing drawing(canonical, view, options);
@@ -40,6 +44,7 @@ struct Picture {
 
   View view;
   std::shared_ptr<const Canonical> canonical;
+  std::unique_ptr<const ProjectedScene> projected;
   std::vector<Stroke> strokes;
   std::vector<std::pair<double, std::vector<DensityRun>>> rows;
 };
@@ -58,30 +63,89 @@ bool on_a_stroke(const Picture& picture, const Vec2& p, double reach) {
   return false;
 }
 
-/// The plane that a run shows; kNone: paper.
-Index plane_of(const Picture& picture, const Oracle& oracle, double x, double y) {
-  const Seen seen = oracle.at(x, y);
+/// One of the bodies has facets of one curved surface in the faces' planes, which are neighbours.
+bool smooth_between(const Canonical& c, Index f, Index g) {
+  const auto planes_of = [&](Index p, Index q) {
+    return std::pair(std::min(c.faces[p].plane, c.faces[q].plane),
+                     std::max(c.faces[p].plane, c.faces[q].plane));
+  };
+  for (const WingedEdge& edge : c.edges) {
+    if (edge.crease || edge.right == kNone) continue;
+    const Index body = c.faces[edge.left].body;
+    if (body != c.faces[f].body && body != c.faces[g].body) continue;
+    if (planes_of(edge.left, edge.right) == planes_of(f, g)) return true;
+  }
+  return false;
+}
+
+/// The plane that is seen; kNone: paper.
+Index plane_of(const Picture& picture, const Seen& seen) {
   if (seen.kind == Kind::cut) return kNone - 1;
   return seen.face == kNone ? kNone : picture.canonical->faces[seen.face].plane;
 }
 
-/// Where a level shows another plane than a little further on, there is a stroke.
+enum class Between { nothing, facets, bend };
+
+/// The faces' planes meet beside the point; copies have theirs in common far from each other too.
+bool meet_beside(const Picture& picture, Index f, Index g, const Vec2& p) {
+  const DepthPlane &one = picture.projected->depth(picture.canonical->faces[f].plane),
+                   &other = picture.projected->depth(picture.canonical->faces[g].plane);
+  const double slope = std::fabs(one.a - other.a) + std::fabs(one.b - other.b);
+  return std::fabs(one.at(p.x, p.y) - other.at(p.x, p.y)) <= 4 * kBeside * slope;
+}
+
+/// What is between two things that are seen beside one another.
+Between between(const Picture& picture, const Seen& here, const Seen& there, const Vec2& p) {
+  if (plane_of(picture, here) == plane_of(picture, there)) return Between::nothing;
+  const bool faces = here.face != kNone && there.face != kNone;
+  return faces && smooth_between(*picture.canonical, here.face, there.face) &&
+                 meet_beside(picture, here.face, there.face, p)
+             ? Between::facets
+             : Between::bend;
+}
+
+/// Of two points. Near a tip a facet may lie between them.
+Between between(const Picture& picture, const Oracle& oracle, const Vec2& p, const Vec2& q) {
+  const Vec2 middle = (p + q) / 2.0;
+  const Seen here = oracle.at(p.x, p.y), there = oracle.at(q.x, q.y);
+  const Between whole = between(picture, here, there, p);
+  if (whole != Between::bend) return whole;
+  const Seen halfway = oracle.at(middle.x, middle.y);
+  const bool bends = between(picture, here, halfway, p) == Between::bend ||
+                     between(picture, halfway, there, p) == Between::bend;
+  return bends ? Between::bend : Between::facets;
+}
+
+/// Calls visit(x, y, between) for what is beside the ends of runs.
+template <class Visit>
+void each_end(const Picture& picture, const Oracle& oracle, const Visit& visit) {
+  for (const auto& [y, runs] : picture.rows)
+    for (const DensityRun& run : runs)
+      for (const double x : {run.x0, run.x1})
+        if (x > 0 && x < 32)
+          visit(x, y, between(picture, oracle, {x - kBeside, y}, {x + kBeside, y}));
+}
+
+/// Where a level shows another surface than a little further on, there is a stroke.
 int runs_without_strokes(const Picture& picture, const Oracle& oracle, std::string& where) {
   int missing = 0;
-  for (const auto& [y, runs] : picture.rows)
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      for (const double x : {runs[i].x0, runs[i].x1}) {
-        if (x <= 0 || x >= 32) continue;
-        const Index before = plane_of(picture, oracle, x - kBeside, y),
-                    behind = plane_of(picture, oracle, x + kBeside, y);
-        if (before == behind || on_a_stroke(picture, {x, y}, kBeside)) continue;
-        ++missing;
-        where = std::to_string(x) + ", " + std::to_string(y);
-      }
+  each_end(picture, oracle, [&](double x, double y, Between what) {
+    if (what != Between::bend || on_a_stroke(picture, {x, y}, kBeside)) return;
+    ++missing;
+    where = std::to_string(x) + ", " + std::to_string(y);
+  });
   return missing;
 }
 
-/// On the two sides of a stroke two planes are seen, or one of them and none.
+int facets_along_levels(const Picture& picture, const Oracle& oracle) {
+  int facets = 0;
+  each_end(picture, oracle,
+           [&](double, double, Between what) { facets += what == Between::facets; });
+  return facets;
+}
+
+/// On the two sides of a stroke two planes are seen, or one of them and none; and not two facets
+/// of one curved surface.
 int strokes_on_nothing(const Picture& picture, const Oracle& oracle, std::string& where) {
   int wrong = 0;
   for (const Stroke& stroke : picture.strokes)
@@ -93,7 +157,7 @@ int strokes_on_nothing(const Picture& picture, const Oracle& oracle, std::string
       const Vec2 p = middle + across, q = middle - across;
       if (std::min({p.x, q.x, p.y, q.y}) < 0 || std::max(p.x, q.x) > 32 || std::max(p.y, q.y) > 40)
         continue;
-      if (plane_of(picture, oracle, p.x, p.y) != plane_of(picture, oracle, q.x, q.y)) continue;
+      if (between(picture, oracle, p, q) == Between::bend) continue;
       ++wrong;
       where = std::to_string(middle.x) + ", " + std::to_string(middle.y) + " of kind " +
               std::to_string(static_cast<int>(stroke.kind));
@@ -121,6 +185,22 @@ TEST(SolidStrokes, RunWhereWhatIsSeenChangesItsPlane) {
     EXPECT_EQ(strokes_on_nothing(picture, oracle, where), 0) << "tree " << n << " at " << where;
   }
   EXPECT_GT(strokes, 4u * kTrees);
+}
+
+TEST(SolidStrokes, LeaveRoundSurfacesSmooth) {
+  int facets = 0;
+  std::size_t strokes = 0;
+  for (int n = 0; n < kTrees; ++n) {
+    const Picture picture(TreeMaker(static_cast<std::uint64_t>(n) + 1).make_round());
+    const Oracle oracle(*picture.canonical, picture.view);
+    facets += facets_along_levels(picture, oracle);
+    strokes += picture.strokes.size();
+    std::string where;
+    EXPECT_EQ(runs_without_strokes(picture, oracle, where), 0) << "tree " << n << " at " << where;
+    EXPECT_EQ(strokes_on_nothing(picture, oracle, where), 0) << "tree " << n << " at " << where;
+  }
+  EXPECT_GT(facets, 10 * kTrees);
+  EXPECT_GT(strokes, 3u * kTrees);
 }
 
 /// What is in shadow: on a plane of the input, or on the ground.
