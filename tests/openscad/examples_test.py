@@ -22,6 +22,7 @@ EXAMPLES = "/usr/share/openscad/examples"
 SIZES = (500, 1500, 4000)
 LARGEST_PART = 0.002  # of the solid's pixels
 SKIPPED = 77
+SAYS_EMPTY = "Current top level object is empty"
 # Of the size: less than 1/30 000 of a pixel in the largest picture. The slab is seen from the side, too: one of 1e-5 by 0.03
 # of a pixel, a quarter of a per cent of a solid that is nearly all edge.
 THINNEST = 1e-8
@@ -82,14 +83,23 @@ class Example:
         return errors[0].split("error: ", 1)[1] if errors else f"status {done.returncode}: {done.stderr}"
 
     def compute(self):
-        """OpenSCAD's result: as a mesh, or flat; None when it is empty."""
+        """OpenSCAD's result, as a mesh or flat (None when it is empty), and what it said where there is neither."""
+        said = ""
         for ending in (".stl", ".dxf"):
             path = self.path(ending)
             if not os.path.exists(path):
-                run(["openscad", "-o", path, self.csg])  # not the program: it may be random
+                said += run(["openscad", "-o", path, self.csg]).stderr  # not the program: it may be random
             if os.path.exists(path) and re.search("vertex|LINE", open(path, encoding="utf-8").read()):
-                return path
-        return None
+                return path, ""
+        return None, "" if SAYS_EMPTY in said else said or "no result"
+
+    def is_empty(self):
+        """Nothing at all is drawn."""
+        picture = self.path("-empty.pgm")
+        done = run([os.environ["OVERSTRIKE"], "render", self.csg, "-o", picture, "--size", f"{SIZES[0]}x{SIZES[0]}",
+                    "--translucent", "0"])
+        assert done.returncode == 0, done.stderr
+        return silhouettes.is_blank(picture)
 
     def compare(self, result, projection, size):
         """(pixels of the solid, differing, far from an edge)."""
@@ -123,8 +133,12 @@ class Example:
         refused = self.refusal()
         if refused is not None:
             return bool(re.match(r"'\w+' ", refused)), [self.name, "refused", refused, ""]
-        result = self.compute()
+        result, fault = self.compute()
+        if fault:
+            return False, [self.name, "no result of OpenSCAD's", fault.strip().replace("\n", "; "), ""]
         if result is None:
+            if not self.is_empty():
+                return False, [self.name, "drawn, differs", "empty in OpenSCAD", ""]
             return True, [self.name, "drawn", "empty, in OpenSCAD too", ""]
         cells, right = [], True
         for projection in ("o", "p"):

@@ -19,14 +19,26 @@ FINER = 3
 _HALF_COVERED = 188
 
 
-def of_ours(path):
-    """Rows of booleans from a PGM, FINER times as large and drawn with --density 0,1."""
+def _read_pgm(path):
+    """(width, height, pixels)."""
     with open(path, "rb") as file:
         kind, width, height, most, pixels = re.match(rb"(P5)\s+(\d+)\s+(\d+)\s+(\d+)\s(.*)", file.read(), re.DOTALL).groups()
     assert kind == b"P5" and most == b"255", path
-    width, height, middle = int(width), int(height), FINER // 2
+    return int(width), int(height), pixels
+
+
+def of_ours(path):
+    """Rows of booleans from a PGM, FINER times as large and drawn with --density 0,1."""
+    width, height, pixels = _read_pgm(path)
+    middle = FINER // 2
     return [[v <= _HALF_COVERED for v in pixels[y * width + middle:(y + 1) * width:FINER]]
             for y in range(middle, height, FINER)]
+
+
+def is_blank(path):
+    """Nothing is drawn in a PGM."""
+    _, _, pixels = _read_pgm(path)
+    return pixels.count(255) == len(pixels)
 
 
 def near_edge(mask, x, y):

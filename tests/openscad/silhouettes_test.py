@@ -50,6 +50,14 @@ class Silhouettes(unittest.TestCase):
                 file.write(b"P5\n6 6\n255\n" + cells)
             self.assertEqual(silhouettes.of_ours(path), [[False, True], [False, False]])
 
+    def test_one_drawn_cell_is_not_blank(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.pgm")
+            for cells, blank in ((b"\xff" * 6, True), (b"\xff" * 5 + b"\xfe", False)):
+                with open(path, "wb") as file:
+                    file.write(b"P5\n3 2\n255\n" + cells)
+                self.assertEqual(silhouettes.is_blank(path), blank)
+
     def test_png_filters_are_undone(self):
         rows = [bytes((7 * x * y + 3 * x + y) % 256 for x in range(12)) for y in range(5)]
         above, packed = bytes(12), b""
