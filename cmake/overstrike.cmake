@@ -8,9 +8,6 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 # No fused multiply-add behind our back: the same bytes from every compiler and at every level.
-# Nobody puts functions of ours in the place of others: calls within a file may be inlined although
-# code is position-independent.
-add_compile_options(-fno-semantic-interposition)
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
 if(OVERSTRIKE_WERROR)
   add_compile_options(-Werror)
