@@ -97,15 +97,7 @@ class Rounds {
 
   std::vector<Stroke> drawn(const Nodes& nodes, const StrokeOptions& what = {}) const {
     Scene scene;
-    Solid solid;
-    for (SolidNode node : nodes) {
-      if (node.operation == SetOperation::operand) {
-        scene.bodies.push_back(bodies_[node.body]);
-        node.body = static_cast<std::uint32_t>(scene.bodies.size() - 1);
-      }
-      solid.nodes.push_back(node);
-    }
-    scene.solids.push_back(solid);
+    testing::add_solid(scene, nodes, bodies_);
     return strokes_of(std::move(scene), what);
   }
   /// The first body by itself.

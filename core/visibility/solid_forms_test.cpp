@@ -55,12 +55,8 @@ TEST(MostUpdates, AreReachedAndNeverPassed) {
 }
 
 TEST(FewerUpdates, AreWhereAnOperandStandsInManyPlaces) {
-  // A - (S - B) - (S - C) - ...: A less S, and A in B, C, ...
   constexpr Index kOperands = 20;
-  std::vector<Nodes> members{operand_tree(0)};
-  for (Index i = 2; i < kOperands; ++i)
-    members.push_back(tree_of(kSubtract, {operand_tree(1), operand_tree(i)}));
-  const SolidExpression tree(tree_of(kSubtract, members), kOperands);
+  const SolidExpression tree(testing::differences_of_one(kOperands), kOperands);
   const auto sum = fewer_updates(tree, together(kOperands));
   ASSERT_TRUE(sum);
   EXPECT_LT(most_updates(*sum, *sum), most_updates(tree, tree));

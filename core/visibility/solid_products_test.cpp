@@ -50,13 +50,10 @@ TEST(SolidProducts, AreTheSetThatTheTreeIs) {
   EXPECT_GT(inside, 3000);
 }
 
-/// A - (S - B) - (S - C) - ...: A less S, and A in B, C, ...
 TEST(SolidProducts, ManyDifferencesOfOneOperandAreTwoProducts) {
   constexpr Index kOperands = 200;
-  std::vector<Nodes> members{operand_tree(0)};
-  for (Index i = 2; i < kOperands; ++i)
-    members.push_back(tree_of(kSubtract, {operand_tree(1), operand_tree(i)}));
-  const SolidProducts products = products_of(tree_of(kSubtract, members), together(kOperands));
+  const SolidProducts products =
+      products_of(testing::differences_of_one(kOperands), together(kOperands));
   ASSERT_EQ(products.products().size(), 2u);
   EXPECT_EQ(products.products()[0], (SolidProducts::Product{{0, false}, {1, true}}));
   EXPECT_EQ(products.products()[1].size(), kOperands - 1);

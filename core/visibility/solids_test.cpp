@@ -33,15 +33,7 @@ class Trees {
   /// Ends and tones, line after line, of the tree as a picture.
   std::vector<double> drawn(const Nodes& nodes, int threads = 1) const {
     Scene scene;
-    Solid solid;
-    for (SolidNode node : nodes) {
-      if (node.operation == SetOperation::operand) {
-        scene.bodies.push_back(bodies_[node.body]);
-        node.body = static_cast<std::uint32_t>(scene.bodies.size() - 1);
-      }
-      solid.nodes.push_back(node);
-    }
-    scene.solids.push_back(solid);
+    testing::add_solid(scene, nodes, bodies_);
     scene.camera = camera_;
     DrawOptions options;
     options.threads = threads;

@@ -2,6 +2,7 @@
 // Small scenes for the tests beside this file.
 #include <memory>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "core/geometry/trig.h"
@@ -37,6 +38,28 @@ inline std::vector<SolidNode> tree_of(SetOperation operation,
   }
   nodes[0].end = static_cast<std::uint32_t>(nodes.size());
   return nodes;
+}
+
+/// Adds a solid of copies of the bodies that the tree names.
+inline void add_solid(Scene& scene, const std::vector<SolidNode>& nodes,
+                      std::span<const Body> bodies) {
+  Solid solid;
+  for (SolidNode node : nodes) {
+    if (node.operation == SetOperation::operand) {
+      scene.bodies.push_back(bodies[node.body]);
+      node.body = static_cast<std::uint32_t>(scene.bodies.size() - 1);
+    }
+    solid.nodes.push_back(node);
+  }
+  scene.solids.push_back(std::move(solid));
+}
+
+/// A - (S - B) - (S - C) - ...: A less S, and A in B, C, ...
+inline std::vector<SolidNode> differences_of_one(std::uint32_t operands) {
+  std::vector<std::vector<SolidNode>> members{operand_tree(0)};
+  for (std::uint32_t i = 2; i < operands; ++i)
+    members.push_back(tree_of(SetOperation::subtract, {operand_tree(1), operand_tree(i)}));
+  return tree_of(SetOperation::subtract, members);
 }
 
 /// Up to so deep, of operands 0 to `operands` - 1; some of its nodes have no members.
