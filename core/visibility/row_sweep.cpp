@@ -41,6 +41,8 @@ void RowSweep::resolve(double y, std::vector<SpanPiece>& pieces) {
 bool RowSweep::show_alone(double y, std::vector<SpanPiece>& pieces) {
   const std::vector<SpanPiece>* const alone = planner_.alone(y);
   if (alone == nullptr) return false;
+  // A plan from before must not hold any more: what was cut away is of this level now.
+  plan_.until = plan_.from;
   double x = 0;
   for (SpanPiece piece : *alone) {
     if (piece.x0 < x) piece.x0 = x, piece.slack0 = 0;
